@@ -1,0 +1,40 @@
+# cutaway_library(NAME SOURCES ... LINKS ... [PRIVATE_LINKS ...])  one folder of server/ as a static library.
+# cutaway_test(NAME SOURCES ... LINKS ... [LABELS ...])            one GoogleTest executable, run by ctest.
+
+option(CUTAWAY_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
+set(CUTAWAY_SANITIZE "" CACHE STRING "Value for -fsanitize=, empty for none")
+
+add_library(cutaway_options INTERFACE)
+target_compile_features(cutaway_options INTERFACE cxx_std_20)
+target_compile_options(cutaway_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  $<$<BOOL:${CUTAWAY_WARNINGS_AS_ERRORS}>:-Werror>
+  $<$<CONFIG:Release>:-O3>)
+if(CUTAWAY_SANITIZE)
+  target_compile_options(cutaway_options INTERFACE -fsanitize=${CUTAWAY_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(cutaway_options INTERFACE -fsanitize=${CUTAWAY_SANITIZE})
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+function(cutaway_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/server)
+  target_link_libraries(${name} PUBLIC ${ARG_LINKS} PRIVATE cutaway_options ${ARG_PRIVATE_LINKS})
+  target_compile_features(${name} PUBLIC cxx_std_20)
+endfunction()
+
+function(cutaway_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;LABELS" ${ARGN})
+  find_package(GTest REQUIRED)
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE cutaway_options ${ARG_LINKS} GTest::gtest GTest::gmock GTest::gtest_main)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${name} PRIVATE CUTAWAY_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600)
+endfunction()

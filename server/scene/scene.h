@@ -1,0 +1,86 @@
+// What a frame shows, as checked values. The schema protocol/schema/scene.schema.json is the one place that says ranges,
+// units and defaults; these types hold what has passed it and been resolved for a volume.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/json.h"
+
+namespace cutaway {
+
+/// One entry of a registry (a shading model, a filter, a lens shape) with its parameters: every parameter of its schema
+/// entry is present and in range, so whoever reads them needs no default.
+struct Module {
+  std::string name;
+  Json parameters;  ///< object without "name"
+  bool operator==(const Module&) const = default;
+};
+
+enum class Projection { perspective, orthographic };
+
+/// Patient space, mm. The picture's right is direction x up.
+struct Camera {
+  Projection projection = Projection::perspective;
+  glm::dvec3 eye_mm{0.0};
+  glm::dvec3 target_mm{0.0};
+  glm::dvec3 up{0.0, 0.0, 1.0};
+  double vertical_fov_degrees = 30.0;  ///< perspective
+  double view_height_mm = 300.0;       ///< orthographic: what the viewport's height spans
+  bool operator==(const Camera&) const = default;
+};
+
+struct Viewport {
+  int width_px = 0;
+  int height_px = 0;
+  bool operator==(const Viewport&) const = default;
+};
+
+/// One of the two ways in which a point of the volume can be drawn.
+struct Branch {
+  double iso_value = 0.0;  ///< physical; the surface is where the value rises to it
+  Module shading;
+  std::vector<Module> filters;  ///< in the order they run
+  bool operator==(const Branch&) const = default;
+};
+
+enum class LensMode { none, cutaway };
+enum class LensCap { flat, gradient, open };
+
+struct Lens {
+  LensMode mode = LensMode::cutaway;
+  Module shape{"sphere", Json::object()};
+  glm::dvec3 centre_mm{0.0};
+  double radius_mm = 0.0;
+  LensCap cap = LensCap::flat;
+  bool operator==(const Lens&) const = default;
+};
+
+enum class LightFrame { camera, patient };
+
+struct Light {
+  LightFrame frame = LightFrame::camera;
+  glm::dvec3 direction{-0.5, 0.7, 0.5};  ///< towards the light; camera frame: x right, y up, z to the viewer
+  bool operator==(const Light&) const = default;
+};
+
+struct Background {
+  glm::dvec3 colour{0.0};  ///< display-encoded sRGB, 0..1
+  bool operator==(const Background&) const = default;
+};
+
+/// Immutable once made; shared between threads as shared_ptr<const Scene>.
+struct Scene {
+  std::string volume;
+  Viewport viewport;
+  Camera camera;
+  Branch focus;
+  Branch context;
+  Lens lens;
+  Light light;
+  Background background;
+  bool operator==(const Scene&) const = default;
+};
+
+}  // namespace cutaway

@@ -1,0 +1,25 @@
+// What choosing good defaults needs to know of a volume; no voxel comes with it.
+#pragma once
+
+#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+namespace cutaway {
+
+/// Patient space, mm; physical values.
+struct VolumeFacts {
+  std::string id;
+  glm::dvec3 bounds_minimum_mm{0.0};
+  glm::dvec3 bounds_maximum_mm{0.0};
+  double diagonal_mm = 0.0;
+  double minimum_value = 0.0;
+  double maximum_value = 0.0;
+  double outer_iso_value = 0.0;  ///< context by default: skin
+  double inner_iso_value = 0.0;  ///< focus by default: bone
+  /// First point on the ray (origin, unit direction) where the value reaches the iso-value. Thread-safe.
+  std::function<std::optional<glm::dvec3>(glm::dvec3, glm::dvec3, double)> first_surface_mm;
+};
+
+}  // namespace cutaway

@@ -1,0 +1,101 @@
+// The two ends of a session: where volumes and frames come from, and where messages and frames go. A session knows no
+// socket and no GL; tests put their own ends here.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/error.h"
+#include "core/progress.h"
+#include "scene/scene.h"
+#include "scene/volume_facts.h"
+
+namespace cutaway {
+
+enum class ChromaSampling { yuv420, yuv444 };
+
+/// What a frame may cost. The viewport stays as it is in the scene: a smaller picture is scaled up by the client.
+struct FrameQuality {
+  double resolution_scale = 1.0;  ///< 0.1..1 of the viewport, each way
+  int supersampling = 1;          ///< 1 or 2 rays a pixel each way, averaged
+  double step_voxels = 1.0;       ///< ray step in units of the smallest spacing
+  int jpeg_quality = 80;          ///< 1..100
+  ChromaSampling chroma = ChromaSampling::yuv420;
+  bool still = false;             ///< the refined picture of a scene at rest
+  bool operator==(const FrameQuality&) const = default;
+};
+
+struct FrameRequest {
+  std::uint64_t view = 0;  ///< one session's one view; names the state kept between frames
+  std::uint32_t revision = 0;
+  std::shared_ptr<const Scene> scene;
+  FrameQuality quality;
+};
+
+struct Frame {
+  std::vector<std::uint8_t> jpeg;
+  int width_px = 0;
+  int height_px = 0;
+  std::uint32_t revision = 0;
+  FrameQuality quality;
+  std::uint32_t render_us = 0;
+  std::uint32_t encode_us = 0;
+};
+
+struct FrameReplaced {};  ///< a newer request of the same view took its place before it began
+
+using FrameOutcome = std::variant<Frame, FrameReplaced, Error>;
+
+/// Thread-safe. `done` is called exactly once for every submit, from any thread, never from inside submit.
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+  virtual void submit(FrameRequest request, std::function<void(FrameOutcome)> done) = 0;
+  /// Frees what is kept for the view. Requests of it that have not begun end as FrameReplaced.
+  virtual void release(std::uint64_t view) = 0;
+};
+
+/// A volume that is in memory, held for as long as the session shows it. Thread-safe.
+class OpenVolume {
+ public:
+  virtual ~OpenVolume() = default;
+  virtual const VolumeFacts& facts() const = 0;
+  /// Physical value at a patient position (trilinear); nothing outside of the grid.
+  virtual std::optional<double> value_at(glm::dvec3 position_mm) const = 0;
+};
+
+using OpenOutcome = std::variant<std::shared_ptr<const OpenVolume>, Error, Cancelled>;
+
+/// Wanting a volume: destroying it withdraws the wish (and cancels the load when nobody else waits for it).
+class OpenTicket {
+ public:
+  virtual ~OpenTicket() = default;
+};
+
+/// Thread-safe. Callbacks come from any thread, never from inside open; none comes after the ticket is destroyed.
+class VolumeLibrary {
+ public:
+  virtual ~VolumeLibrary() = default;
+  /// The `volumes` message's content: what can be opened and what was refused.
+  virtual Json listing() const = 0;
+  /// `changed` is called when the listing has changed (a scan found more). Ends with the ticket.
+  virtual std::unique_ptr<OpenTicket> watch(std::function<void()> changed) = 0;
+  virtual std::unique_ptr<OpenTicket> open(const std::string& id, ProgressSink progress,
+                                           std::function<void(OpenOutcome)> done) = 0;
+};
+
+/// Where a session's messages go: the WebSocket, or a test. Called on the session's strand only.
+class ClientSink {
+ public:
+  virtual ~ClientSink() = default;
+  virtual void send_text(std::string message) = 0;
+  /// At most one frame waits behind the one being written; `done(false)` when it was replaced or could not be sent.
+  virtual void send_frame(std::vector<std::uint8_t> message, std::function<void(bool)> done) = 0;
+};
+
+}  // namespace cutaway

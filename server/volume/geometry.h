@@ -1,0 +1,36 @@
+// Where voxels are in the patient.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace cutaway {
+
+/// A regular grid in patient space: DICOM's LPS (x to the patient's left, y to posterior, z to superior),
+/// millimetres. Voxel centres are at integer indices. Axes are orthogonal; the grid may be oblique, anisotropic
+/// and left-handed.
+struct VolumeGeometry {
+  glm::ivec3 size_voxels{0};
+  glm::dvec3 spacing_mm{1.0};
+  glm::dvec3 origin_patient_mm{0.0};     ///< centre of voxel (0,0,0)
+  glm::dmat3 direction_patient{1.0};     ///< unit columns: the i, j and k axes in patient space
+
+  bool operator==(const VolumeGeometry&) const = default;
+};
+
+struct BoundingBox {
+  glm::dvec3 minimum_mm{0.0};
+  glm::dvec3 maximum_mm{0.0};
+  bool operator==(const BoundingBox&) const = default;
+};
+
+glm::dmat4 index_to_patient(const VolumeGeometry& geometry);
+glm::dmat4 patient_to_index(const VolumeGeometry& geometry);
+
+/// Axis-aligned patient-space bounds of the voxel centres.
+BoundingBox bounds_patient_mm(const VolumeGeometry& geometry);
+
+/// Length of the grid's diagonal between the centres of opposite corner voxels.
+double diagonal_mm(const VolumeGeometry& geometry);
+
+}  // namespace cutaway

@@ -1,0 +1,22 @@
+// A volume together with everything derived from it once, at load.
+#pragma once
+
+#include <memory>
+
+#include "volume/histogram.h"
+#include "volume/min_max_grid.h"
+
+namespace cutaway {
+
+/// Immutable and shared: sessions and the render thread hold it by shared_ptr<const LoadedVolume>.
+struct LoadedVolume {
+  Volume volume;
+  MinMaxGrid min_max;
+  Histogram histogram;
+  SuggestedSurfaces surfaces;
+};
+
+std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume, const ProgressSink& progress,
+                                                         std::stop_token stop);
+
+}  // namespace cutaway
