@@ -1,5 +1,5 @@
-// The two ends of a session: where volumes and frames come from, and where messages and frames go. A session knows no
-// socket and no GL; tests put their own ends here.
+// The two ends of a session: where volumes and frames come from, and where messages and frames go.
+// A session knows no socket and no GL; tests put their own ends here.
 #pragma once
 
 #include <cstdint>
@@ -19,26 +19,34 @@ namespace cutaway {
 
 enum class ChromaSampling { yuv420, yuv444 };
 
-/// What a frame may cost. The viewport stays as it is in the scene: a smaller picture is scaled up by the client.
+/// What a frame may cost. The viewport stays as it is in the scene: a smaller picture is scaled up
+/// by the client.
 struct FrameQuality {
   double resolution_scale = 1.0;  ///< 0.1..1 of the viewport, each way
   int supersampling = 1;          ///< 1 or 2 rays a pixel each way, averaged
   double step_voxels = 1.0;       ///< ray step in units of the smallest spacing
   int jpeg_quality = 80;          ///< 1..100
   ChromaSampling chroma = ChromaSampling::yuv420;
-  bool still = false;             ///< the refined picture of a scene at rest
+  bool still = false;  ///< the refined picture of a scene at rest
   bool operator==(const FrameQuality&) const = default;
 };
 
+enum class PictureEncoding { jpeg, png };
+
+/// The picture's full size is the scene's viewport. A saved still is a request of its own view with
+/// a scene of its own viewport, so that the session's live view neither replaces it nor loses what
+/// is kept for it.
 struct FrameRequest {
-  std::uint64_t view = 0;  ///< one session's one view; names the state kept between frames
+  std::uint64_t view = 0;  ///< names the state kept between frames
   std::uint32_t revision = 0;
   std::shared_ptr<const Scene> scene;
   FrameQuality quality;
+  PictureEncoding encoding =
+      PictureEncoding::jpeg;  ///< png: quality's jpeg_quality and chroma mean nothing
 };
 
 struct Frame {
-  std::vector<std::uint8_t> jpeg;
+  std::vector<std::uint8_t> picture;  ///< a whole JPEG or PNG file
   int width_px = 0;
   int height_px = 0;
   std::uint32_t revision = 0;
@@ -51,13 +59,29 @@ struct FrameReplaced {};  ///< a newer request of the same view took its place b
 
 using FrameOutcome = std::variant<Frame, FrameReplaced, Error>;
 
-/// Thread-safe. `done` is called exactly once for every submit, from any thread, never from inside submit.
+/// What renders, for people: in `capabilities` and the log.
+struct RendererDescription {
+  std::string name;
+  bool software = false;
+};
+
+/// Thread-safe. `done` is called exactly once for every submit, from any thread, never from inside
+/// submit.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
+  /// A request of the view that has not begun ends as FrameReplaced: one place for each view.
   virtual void submit(FrameRequest request, std::function<void(FrameOutcome)> done) = 0;
+  /// Puts `request` in the place of its view's request that has not begun, whose `done` stays: so
+  /// the newest input is shown without another frame in flight. False, and nothing done, where none
+  /// waits.
+  virtual bool renew(const FrameRequest& request) = 0;
   /// Frees what is kept for the view. Requests of it that have not begun end as FrameReplaced.
+  /// Unknown views are ignored.
   virtual void release(std::uint64_t view) = 0;
+  virtual RendererDescription describe() const = 0;
+  /// Why no frame can be rendered at present; empty while all is well.
+  virtual std::string trouble() const = 0;
 };
 
 /// A volume that is in memory, held for as long as the session shows it. Thread-safe.
@@ -65,19 +89,25 @@ class OpenVolume {
  public:
   virtual ~OpenVolume() = default;
   virtual const VolumeFacts& facts() const = 0;
+  /// Of the physical values: "HU" or "none".
+  virtual const std::string& units() const = 0;
+  /// The `volume` part of the `scene` message: geometry, value range, histogram.
+  virtual const Json& summary() const = 0;
   /// Physical value at a patient position (trilinear); nothing outside of the grid.
   virtual std::optional<double> value_at(glm::dvec3 position_mm) const = 0;
 };
 
 using OpenOutcome = std::variant<std::shared_ptr<const OpenVolume>, Error, Cancelled>;
 
-/// Wanting a volume: destroying it withdraws the wish (and cancels the load when nobody else waits for it).
+/// Wanting a volume: destroying it withdraws the wish (and cancels the load when nobody else waits
+/// for it).
 class OpenTicket {
  public:
   virtual ~OpenTicket() = default;
 };
 
-/// Thread-safe. Callbacks come from any thread, never from inside open; none comes after the ticket is destroyed.
+/// Thread-safe. Callbacks come from any thread, never from inside open; none comes after the ticket
+/// is destroyed.
 class VolumeLibrary {
  public:
   virtual ~VolumeLibrary() = default;
@@ -94,8 +124,11 @@ class ClientSink {
  public:
   virtual ~ClientSink() = default;
   virtual void send_text(std::string message) = 0;
-  /// At most one frame waits behind the one being written; `done(false)` when it was replaced or could not be sent.
+  /// At most one frame waits behind the one being written; `done(false)` when it was replaced or
+  /// could not be sent.
   virtual void send_frame(std::vector<std::uint8_t> message, std::function<void(bool)> done) = 0;
+  /// A saved still is never replaced; the session has at most one under way.
+  virtual void send_still(std::vector<std::uint8_t> message, std::function<void(bool)> done) = 0;
 };
 
 }  // namespace cutaway
