@@ -1,4 +1,5 @@
-// Assertions about our own code, on in every build. A failure prints both values and ends the process.
+// Assertions about our own code, on in every build. A failure prints both values and ends the
+// process.
 #pragma once
 
 #include <source_location>

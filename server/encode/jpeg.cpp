@@ -1,0 +1,58 @@
+#include "encode/jpeg.h"
+
+#include <turbojpeg.h>
+
+#include <memory>
+#include <string>
+
+#include "core/check.h"
+#include "core/error.h"
+
+namespace cutaway {
+
+namespace {
+
+struct DestroyCompressor {
+  void operator()(void* handle) const { tjDestroy(handle); }
+};
+using Compressor = std::unique_ptr<void, DestroyCompressor>;
+
+/// One a thread: making one costs more than a small frame.
+void* thread_compressor() {
+  thread_local const Compressor compressor(tjInitCompress());
+  return compressor.get();
+}
+
+void check_sizes(const YcbcrPlanes& picture) {
+  const int divisor = picture.halved_chroma ? 2 : 1;
+  const auto chroma = static_cast<std::size_t>((picture.width_px + divisor - 1) / divisor) *
+                      static_cast<std::size_t>((picture.height_px + divisor - 1) / divisor);
+  check_equal(picture.planes[0].size(),
+              static_cast<std::size_t>(picture.width_px) * picture.height_px,
+              "size of the luma plane");
+  check_equal(picture.planes[1].size(), chroma, "size of the Cb plane");
+  check_equal(picture.planes[2].size(), chroma, "size of the Cr plane");
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_jpeg(const YcbcrPlanes& picture, int quality) {
+  check_sizes(picture);
+  const int sampling = picture.halved_chroma ? TJSAMP_420 : TJSAMP_444;
+  std::vector<std::uint8_t> jpeg(tjBufSize(picture.width_px, picture.height_px, sampling));
+  std::array<const unsigned char*, 3> planes{picture.planes[0].data(), picture.planes[1].data(),
+                                             picture.planes[2].data()};
+  unsigned char* out = jpeg.data();
+  unsigned long size = jpeg.size();
+  const int failed =
+      tjCompressFromYUVPlanes(thread_compressor(), planes.data(), picture.width_px, nullptr,
+                              picture.height_px, sampling, &out, &size, quality, TJFLAG_NOREALLOC);
+  if (failed != 0) {
+    throw Error({.code = "internal",
+                 .message = std::string("JPEG: ") + tjGetErrorStr2(thread_compressor())});
+  }
+  jpeg.resize(size);
+  return jpeg;
+}
+
+}  // namespace cutaway

@@ -1,0 +1,23 @@
+// JPEG from planes that the renderer has already converted.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cutaway {
+
+/// Full-range YCbCr (ITU-T T.871), rows top first, tightly packed. Chroma planes are half the size,
+/// rounded up, where `halved_chroma` is set (4:2:0), else full size (4:4:4).
+struct YcbcrPlanes {
+  int width_px = 0;
+  int height_px = 0;
+  bool halved_chroma = true;
+  std::array<std::span<const std::uint8_t>, 3> planes;
+};
+
+/// quality 1..100. Any thread. Throws Error "internal" when the library refuses.
+std::vector<std::uint8_t> encode_jpeg(const YcbcrPlanes& picture, int quality);
+
+}  // namespace cutaway

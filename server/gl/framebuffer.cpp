@@ -1,0 +1,41 @@
+#include "gl/framebuffer.h"
+
+#include <vector>
+
+#include "core/check.h"
+
+namespace cutaway::gl {
+
+Framebuffer::Framebuffer(std::initializer_list<const Texture2D*> attachments) {
+  GLuint name = 0;
+  glCreateFramebuffers(1, &name);
+  handle_ = FramebufferHandle(name);
+  std::vector<GLenum> buffers;
+  for (const Texture2D* texture : attachments) {
+    const GLenum point = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size());
+    glNamedFramebufferTexture(name, point, texture->name(), 0);
+    buffers.push_back(point);
+    size_px_ = texture->size_px();
+  }
+  glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(buffers.size()), buffers.data());
+  check_equal(glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER),
+              GLenum{GL_FRAMEBUFFER_COMPLETE}, "framebuffer is complete");
+}
+
+void Framebuffer::bind() const {
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, handle_.name());
+  glViewport(0, 0, size_px_.x, size_px_.y);
+}
+
+FullscreenTriangle::FullscreenTriangle() {
+  GLuint name = 0;
+  glCreateVertexArrays(1, &name);
+  vertex_array_ = VertexArrayHandle(name);
+}
+
+void FullscreenTriangle::draw() const {
+  glBindVertexArray(vertex_array_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace cutaway::gl

@@ -1,0 +1,46 @@
+// Pixels on their way from the device to the CPU, without stalling the thread that draws.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gl/framebuffer.h"
+
+namespace cutaway::gl {
+
+/// One transfer of several attachments into one persistently mapped buffer, guarded by a fence.
+class PixelReadback {
+ public:
+  struct Source {
+    const Framebuffer* framebuffer;
+    glm::ivec2 size_px;
+    int attachment;  ///< colour attachment to read
+    GLenum format;   ///< GL_RED or GL_RGBA, as bytes
+    int bytes_per_pixel;
+  };
+
+  /// Starts the transfer of all sources, one after the other, rows top first and tightly packed.
+  void start(std::span<const Source> sources);
+
+  bool is_pending() const { return fence_ != nullptr; }
+  /// True once the pixels have arrived; never waits.
+  bool is_ready() const;
+  /// Waits until they have, then copies them out, one vector per source.
+  std::vector<std::vector<std::uint8_t>> finish();
+
+  PixelReadback() = default;
+  PixelReadback(PixelReadback&& other) noexcept;
+  PixelReadback& operator=(PixelReadback&& other) noexcept;
+  ~PixelReadback();
+
+ private:
+  void reserve(std::size_t bytes);
+  BufferHandle buffer_;
+  const std::uint8_t* mapped_ = nullptr;
+  std::size_t capacity_ = 0;
+  std::vector<std::size_t> sizes_;
+  GLsync fence_ = nullptr;
+};
+
+}  // namespace cutaway::gl

@@ -1,0 +1,43 @@
+// Compiled and linked GLSL programs, with uniforms set by name.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "gl/handle.h"
+#include "gl/shader_library.h"
+#include "gl/texture.h"
+
+namespace cutaway::gl {
+
+/// A vertex and a fragment shader. Setting a uniform that the linker dropped does nothing; setting
+/// one that no shader declares is a check failure only in debug contexts' eyes, so names are
+/// covered by the GL tests.
+class Program {
+ public:
+  /// Throws Error "shader-error" with file and line.
+  Program(const ShaderLibrary& library, std::string_view vertex, std::string_view fragment,
+          const std::map<std::string, std::string>& definitions = {});
+
+  void use() const { glUseProgram(handle_.name()); }
+
+  void set(const char* name, int value) const;
+  void set(const char* name, float value) const;
+  void set(const char* name, glm::ivec2 value) const;
+  void set(const char* name, glm::ivec3 value) const;
+  void set(const char* name, const glm::vec2& value) const;
+  void set(const char* name, const glm::vec3& value) const;
+  void set(const char* name, const glm::mat3& value) const;
+
+  /// Binds a texture to a unit and a sampler uniform to that unit.
+  void set_texture(const char* name, int unit, GLuint texture) const;
+
+ private:
+  GLint location(const char* name) const;
+  ProgramHandle handle_;
+  mutable std::map<std::string, GLint, std::less<>> locations_;
+};
+
+}  // namespace cutaway::gl

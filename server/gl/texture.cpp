@@ -1,0 +1,37 @@
+#include "gl/texture.h"
+
+namespace cutaway::gl {
+
+namespace {
+
+TextureHandle create_texture(GLenum target, Filtering filtering) {
+  GLuint name = 0;
+  glCreateTextures(target, 1, &name);
+  const GLint mode = filtering == Filtering::linear ? GL_LINEAR : GL_NEAREST;
+  glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, mode);
+  glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, mode);
+  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+    glTextureParameteri(name, axis, GL_CLAMP_TO_EDGE);
+  }
+  return TextureHandle(name);
+}
+
+}  // namespace
+
+Texture2D::Texture2D(GLenum internal_format, glm::ivec2 size_px, Filtering filtering)
+    : handle_(create_texture(GL_TEXTURE_2D, filtering)), size_px_(size_px) {
+  glTextureStorage2D(name(), 1, internal_format, size_px.x, size_px.y);
+}
+
+Texture3D::Texture3D(GLenum internal_format, glm::ivec3 size_texels, Filtering filtering)
+    : handle_(create_texture(GL_TEXTURE_3D, filtering)), size_texels_(size_texels) {
+  glTextureStorage3D(name(), 1, internal_format, size_texels.x, size_texels.y, size_texels.z);
+}
+
+void Texture3D::upload_slices(int first, int count, GLenum format, GLenum type, const void* data) {
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage3D(name(), 0, 0, 0, first, size_texels_.x, size_texels_.y, count, format, type,
+                      data);
+}
+
+}  // namespace cutaway::gl

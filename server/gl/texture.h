@@ -1,0 +1,42 @@
+// Textures with immutable storage.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "gl/handle.h"
+
+namespace cutaway::gl {
+
+enum class Filtering { nearest, linear };
+
+/// Clamped to the edge. Its format is one of GL's sized internal formats.
+class Texture2D {
+ public:
+  Texture2D() = default;
+  Texture2D(GLenum internal_format, glm::ivec2 size_px, Filtering filtering);
+
+  GLuint name() const { return handle_.name(); }
+  glm::ivec2 size_px() const { return size_px_; }
+
+ private:
+  TextureHandle handle_;
+  glm::ivec2 size_px_{0};
+};
+
+class Texture3D {
+ public:
+  Texture3D() = default;
+  Texture3D(GLenum internal_format, glm::ivec3 size_texels, Filtering filtering);
+
+  GLuint name() const { return handle_.name(); }
+  glm::ivec3 size_texels() const { return size_texels_; }
+
+  /// Slices [first, first+count) from tightly packed memory.
+  void upload_slices(int first, int count, GLenum format, GLenum type, const void* data);
+
+ private:
+  TextureHandle handle_;
+  glm::ivec3 size_texels_{0};
+};
+
+}  // namespace cutaway::gl

@@ -1,0 +1,26 @@
+// Fifth stage: the picture into the planes that JPEG compresses.
+#pragma once
+
+#include "gl/framebuffer.h"
+#include "gl/pixel_readback.h"
+#include "gl/program.h"
+#include "render/view_buffers.h"
+
+namespace cutaway {
+
+class ConvertPass {
+ public:
+  explicit ConvertPass(const gl::ShaderLibrary& shaders);
+  /// Fills the planes of `layout`, a YCbCr one.
+  void run(PixelLayout layout, ViewBuffers& buffers, const gl::FullscreenTriangle& triangle);
+
+ private:
+  gl::Program luma_;
+  gl::Program chroma_;
+};
+
+/// Where a layout's pixels lie once they are converted, in the order of Pixels::planes.
+std::vector<gl::PixelReadback::Source> readback_sources(PixelLayout layout,
+                                                        const ViewBuffers& buffers);
+
+}  // namespace cutaway

@@ -1,0 +1,95 @@
+#include "render/gpu_volume.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace cutaway {
+
+namespace {
+
+constexpr std::size_t kKeptDistanceMaps = 16;
+constexpr std::size_t kSlabBytes = std::size_t{8} << 20;
+
+struct VoxelFormat {
+  GLenum internal_format;
+  GLenum type;
+  std::size_t bytes;
+  const std::uint8_t* data;
+};
+
+VoxelFormat voxel_format(const Voxels& voxels) {
+  if (const auto* stored = std::get_if<std::vector<std::uint16_t>>(&voxels)) {
+    return {GL_R16, GL_UNSIGNED_SHORT, 2, reinterpret_cast<const std::uint8_t*>(stored->data())};
+  }
+  const auto& floats = std::get<std::vector<float>>(voxels);
+  return {GL_R32F, GL_FLOAT, 4, reinterpret_cast<const std::uint8_t*>(floats.data())};
+}
+
+void refuse_too_large(const Volume& volume, int max_texture_size) {
+  const glm::ivec3 size = volume.geometry.size_voxels;
+  const int largest = std::max({size.x, size.y, size.z});
+  if (largest <= max_texture_size) return;
+  throw Error({.code = "volume-refused",
+               .message = "the volume is too large for the renderer",
+               .field = volume.description.id,
+               .expected = "at most " + std::to_string(max_texture_size) + " voxels an edge",
+               .received = std::to_string(largest)});
+}
+
+}  // namespace
+
+GpuVolume::GpuVolume(std::shared_ptr<const LoadedVolume> loaded, int max_texture_size,
+                     const ProgressSink& progress)
+    : loaded_(std::move(loaded)) {
+  refuse_too_large(volume(), max_texture_size);
+  const glm::ivec3 size = volume().geometry.size_voxels;
+  const VoxelFormat format = voxel_format(volume().voxels);
+  if (format.type == GL_UNSIGNED_SHORT) stored_scale_ = 1.0 / 65535.0;
+  texture_ = gl::Texture3D(format.internal_format, size, gl::Filtering::linear);
+  const std::size_t slice_bytes = format.bytes * static_cast<std::size_t>(size.x) * size.y;
+  const int slab = std::max(1, static_cast<int>(kSlabBytes / slice_bytes));
+  for (int first = 0; first < size.z; first += slab) {
+    const int count = std::min(slab, size.z - first);
+    texture_.upload_slices(first, count, GL_RED, format.type, format.data + slice_bytes * first);
+    if (progress) progress(LoadStage::upload, static_cast<double>(first + count) / size.z);
+  }
+}
+
+float GpuVolume::to_stored(double physical_value) const {
+  return static_cast<float>((physical_value - volume().value_offset) / volume().value_scale *
+                            stored_scale_);
+}
+
+void GpuVolume::set_uniforms(const gl::Program& program, int unit) const {
+  const VolumeGeometry& geometry = volume().geometry;
+  program.set_texture("volume_texture", unit, texture_.name());
+  program.set("volume_size", geometry.size_voxels);
+  program.set("volume_spacing_mm", glm::vec3(geometry.spacing_mm));
+  program.set("volume_direction", glm::mat3(geometry.direction_patient));
+}
+
+void GpuVolume::set_empty_space(const gl::Program& program, int unit, double context_iso,
+                                double focus_iso) {
+  program.set_texture("distance_maps[0]", unit, distance_map(context_iso));
+  program.set_texture("distance_maps[1]", unit + 1, distance_map(focus_iso));
+  program.set("brick_size", static_cast<float>(loaded_->min_max.brick_size));
+  program.set("size_bricks", loaded_->min_max.size_bricks);
+}
+
+GLuint GpuVolume::distance_map(double iso_value) {
+  const auto known = std::ranges::find(distance_maps_, iso_value, &DistanceMap::iso_value);
+  if (known != distance_maps_.end()) {
+    distance_maps_.splice(distance_maps_.begin(), distance_maps_, known);
+    return distance_maps_.front().texture.name();
+  }
+  const auto distances = chebyshev_distance_map(loaded_->min_max, iso_value);
+  const glm::ivec3 size = loaded_->min_max.size_bricks;
+  gl::Texture3D texture(GL_R8UI, size, gl::Filtering::nearest);
+  texture.upload_slices(0, size.z, GL_RED_INTEGER, GL_UNSIGNED_BYTE, distances.data());
+  distance_maps_.push_front({iso_value, std::move(texture)});
+  if (distance_maps_.size() > kKeptDistanceMaps) distance_maps_.pop_back();
+  return distance_maps_.front().texture.name();
+}
+
+}  // namespace cutaway

@@ -1,0 +1,31 @@
+// What a frame may cost and what form its pixels come in; how it looks is in the scene.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace cutaway {
+
+/// yuv420 and yuv444: planes Y, Cb, Cr of full-range YCbCr (ITU-T T.871), chroma of 420 at half
+/// size rounded up. rgba: one plane, 4 bytes a pixel.
+enum class PixelLayout { yuv420, yuv444, rgba };
+
+struct RenderSettings {
+  glm::ivec2 picture_size_px{0};
+  double resolution_scale =
+      1.0;  ///< picture pixels per viewport pixel: filters' radii are in viewport pixels
+  int supersampling = 1;         ///< rays a pixel each way, 1..4
+  double step_voxels = 1.0;      ///< ray step in units of the smallest spacing
+  bool skip_empty_space = true;  ///< off only to prove that it changes nothing
+  PixelLayout layout = PixelLayout::rgba;
+};
+
+/// Rows top first, tightly packed.
+struct Pixels {
+  PixelLayout layout = PixelLayout::rgba;
+  glm::ivec2 size_px{0};
+  std::vector<std::vector<std::uint8_t>> planes;
+};
+
+}  // namespace cutaway

@@ -1,0 +1,73 @@
+// The one thread that owns a GPU's context: takes jobs in fair turn, draws, reads back without
+// stalling.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <variant>
+
+#include "core/error.h"
+#include "gl/context.h"
+#include "render/job_queue.h"
+#include "render/render_settings.h"
+#include "scene/scene.h"
+#include "volume/loaded_volume.h"
+
+namespace cutaway {
+
+struct RenderedFrame {
+  Pixels pixels;
+  std::uint32_t render_us = 0;  ///< from the job's begin until its pixels had arrived
+};
+
+struct RenderReplaced {};
+
+using RenderOutcome = std::variant<RenderedFrame, RenderReplaced, Error>;
+
+struct RenderJob {
+  std::uint64_t view = 0;  ///< names the buffers kept between its jobs
+  std::shared_ptr<const LoadedVolume> volume;
+  std::shared_ptr<const Scene> scene;
+  RenderSettings settings;
+  /// Called once, on the render thread or the thread that submits a newer job; must return quickly.
+  std::function<void(RenderOutcome)> done;
+};
+
+class RenderWorker;
+
+struct RendererInfo {
+  std::string renderer;
+  std::string version;
+  bool is_software = false;
+};
+
+/// Thread-safe. Destroying it ends waiting jobs as replaced.
+class RenderThread {
+ public:
+  /// Returns when the context works; throws what creating it threw.
+  explicit RenderThread(const gl::ContextOptions& options);
+  ~RenderThread();
+
+  const RendererInfo& info() const { return info_; }
+
+  /// A job that waits for the same view is replaced by the newer one; one that was begun is
+  /// finished.
+  void submit(RenderJob job);
+
+  /// Forgets the view's buffers; a job that waits ends as replaced.
+  void release(std::uint64_t view);
+
+ private:
+  void serve(RenderWorker& worker, const std::stop_token& stop);
+  std::vector<std::uint64_t> take_released();
+
+  RendererInfo info_;
+  JobQueue<RenderJob> queue_;
+  std::mutex released_mutex_;
+  std::vector<std::uint64_t> released_;
+  std::jthread thread_;
+};
+
+}  // namespace cutaway

@@ -1,0 +1,13 @@
+// The two ways in which a point can be drawn, and what a pixel of a branch's surface buffer holds.
+//
+// Surface buffer, RGBA32F: xyz = unit normal in patient space, facing the viewer; w = distance from the eye in mm where
+// the branch holds the pixel, else one of the negative reasons below.
+
+const int CONTEXT = 0;
+const int FOCUS = 1;
+
+const float REASON_LEFT_VOLUME = -1.0;   // neither branch holds the pixel
+const float REASON_OTHER_BRANCH = -2.0;  // the other branch holds it, before this one's region was crossed
+const float REASON_LEFT_LENS = -3.0;     // focus: the lens was crossed and nothing was hit; context: the focus was hit
+
+bool holds(vec4 surface) { return surface.w >= 0.0; }

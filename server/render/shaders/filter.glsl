@@ -1,0 +1,14 @@
+// What every filter reads and writes: one branch's colours (display-encoded, not premultiplied; coverage in alpha).
+
+uniform sampler2D colour_texture;
+uniform sampler2D silhouette_texture;  // coverage as if no lens had taken anything away
+
+layout(location = 0) out vec4 filtered;
+
+const vec3 LUMA_WEIGHTS = vec3(0.2126, 0.7152, 0.0722);  // Rec. 709, on display-encoded values
+
+float brightness(vec3 colour) { return dot(colour, LUMA_WEIGHTS); }
+
+bool is_in_picture(ivec2 pixel) {
+  return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(colour_texture, 0)));
+}

@@ -1,0 +1,50 @@
+#include "render/view_buffers.h"
+
+namespace cutaway {
+
+namespace {
+
+ColourTarget colour_target(GLenum format, glm::ivec2 size_px) {
+  ColourTarget target;
+  target.texture = gl::Texture2D(format, size_px, gl::Filtering::nearest);
+  target.framebuffer = gl::Framebuffer({&target.texture});
+  return target;
+}
+
+}  // namespace
+
+ViewBuffers::ViewBuffers(glm::ivec2 picture_size_px, int supersampling)
+    : picture_size_px_(picture_size_px), supersampling_(supersampling) {
+  for (BranchBuffers& branch : branches) {
+    branch.surface = gl::Texture2D(GL_RGBA32F, surface_size_px(), gl::Filtering::nearest);
+    branch.shaded = gl::Texture2D(GL_RGBA16F, picture_size_px, gl::Filtering::nearest);
+    branch.silhouette = gl::Texture2D(GL_R8, picture_size_px, gl::Filtering::nearest);
+    branch.shade_target = gl::Framebuffer({&branch.shaded, &branch.silhouette});
+  }
+  surface_target = gl::Framebuffer({&branches[kContext].surface, &branches[kFocus].surface});
+  picture = colour_target(GL_RGBA8, picture_size_px);
+}
+
+bool ViewBuffers::fits(const RenderSettings& settings) const {
+  return picture_size_px_ == settings.picture_size_px && supersampling_ == settings.supersampling;
+}
+
+glm::ivec2 ViewBuffers::chroma_size_px(PixelLayout layout) const {
+  return layout == PixelLayout::yuv420 ? (picture_size_px_ + 1) / 2 : picture_size_px_;
+}
+
+ColourTarget& ViewBuffers::filtered(BranchIndex branch, std::size_t index) {
+  auto& targets = branches[branch].filtered;
+  while (targets.size() <= index) targets.push_back(colour_target(GL_RGBA16F, picture_size_px_));
+  return targets[index];
+}
+
+void ViewBuffers::prepare_planes(PixelLayout layout) {
+  if (layout == PixelLayout::rgba || cb.size_px() == chroma_size_px(layout)) return;
+  luma = colour_target(GL_R8, picture_size_px_);
+  cb = gl::Texture2D(GL_R8, chroma_size_px(layout), gl::Filtering::nearest);
+  cr = gl::Texture2D(GL_R8, chroma_size_px(layout), gl::Filtering::nearest);
+  chroma_target = gl::Framebuffer({&cb, &cr});
+}
+
+}  // namespace cutaway

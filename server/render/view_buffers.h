@@ -1,0 +1,61 @@
+// What one view keeps on the device between frames.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <vector>
+
+#include "gl/framebuffer.h"
+#include "gl/texture.h"
+#include "render/render_settings.h"
+
+namespace cutaway {
+
+/// Index of a branch in arrays here and in the shaders.
+enum BranchIndex : std::size_t { kContext = 0, kFocus = 1 };
+inline constexpr std::size_t kBranches = 2;
+
+/// One colour texture with its framebuffer.
+struct ColourTarget {
+  gl::Texture2D texture;
+  gl::Framebuffer framebuffer;
+};
+
+struct BranchBuffers {
+  gl::Texture2D surface;     ///< RGBA32F, see shaders/branches.glsl
+  gl::Texture2D shaded;      ///< RGBA16F: display-encoded colour, coverage
+  gl::Texture2D silhouette;  ///< R8: coverage as if no lens had taken anything away
+  gl::Framebuffer shade_target;
+  std::deque<ColourTarget>
+      filtered;  ///< one for each filter, kept so that an unchanged one need not run again
+};
+
+/// Render thread only.
+class ViewBuffers {
+ public:
+  ViewBuffers(glm::ivec2 picture_size_px, int supersampling);
+
+  bool fits(const RenderSettings& settings) const;
+  glm::ivec2 picture_size_px() const { return picture_size_px_; }
+  glm::ivec2 surface_size_px() const { return picture_size_px_ * supersampling_; }
+  glm::ivec2 chroma_size_px(PixelLayout layout) const;
+
+  /// Makes sure that each branch has a target for its filter number `index`.
+  ColourTarget& filtered(BranchIndex branch, std::size_t index);
+  /// Makes sure that the planes of `layout` exist.
+  void prepare_planes(PixelLayout layout);
+
+  std::array<BranchBuffers, kBranches> branches;
+  gl::Framebuffer surface_target;  ///< both branches' surfaces
+  ColourTarget picture;            ///< RGBA8
+  ColourTarget luma;               ///< R8
+  gl::Texture2D cb;
+  gl::Texture2D cr;
+  gl::Framebuffer chroma_target;
+
+ private:
+  glm::ivec2 picture_size_px_;
+  int supersampling_;
+};
+
+}  // namespace cutaway

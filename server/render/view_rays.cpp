@@ -1,0 +1,36 @@
+#include "render/view_rays.h"
+
+#include <glm/gtc/constants.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "scene/view_geometry.h"
+
+namespace cutaway {
+
+ViewRays view_rays(const Camera& camera, Viewport viewport, const VolumeGeometry& geometry) {
+  const CameraAxes axes = camera_axes(camera);
+  const bool perspective = camera.projection == Projection::perspective;
+  const double half_height = perspective ? std::tan(glm::radians(camera.vertical_fov_degrees) / 2.0)
+                                         : camera.view_height_mm / 2.0;
+  const double aspect = static_cast<double>(viewport.width_px) / viewport.height_px;
+  const glm::dmat4 to_index = patient_to_index(geometry);
+  return {.eye_mm = camera.eye_mm,
+          .view_forward = -axes.backward,
+          .view_right = axes.right * (half_height * aspect),
+          .view_up = axes.up * half_height,
+          .is_perspective = perspective,
+          .patient_to_index = glm::mat3(to_index),
+          .eye_index = glm::vec3(to_index * glm::dvec4(camera.eye_mm, 1.0))};
+}
+
+void set_view_rays(const gl::Program& program, const ViewRays& rays) {
+  program.set("eye_mm", rays.eye_mm);
+  program.set("view_forward", rays.view_forward);
+  program.set("view_right", rays.view_right);
+  program.set("view_up", rays.view_up);
+  program.set("is_perspective", rays.is_perspective ? 1 : 0);
+  program.set("patient_to_index", rays.patient_to_index);
+  program.set("eye_index", rays.eye_index);
+}
+
+}  // namespace cutaway

@@ -1,0 +1,28 @@
+// A camera as the shaders want it.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "gl/program.h"
+#include "scene/scene.h"
+#include "volume/geometry.h"
+
+namespace cutaway {
+
+/// The uniforms of shaders/view_ray.glsl. Computed in double, patient mm and continuous indices.
+struct ViewRays {
+  glm::vec3 eye_mm;
+  glm::vec3 view_forward;
+  glm::vec3 view_right;
+  glm::vec3 view_up;
+  bool is_perspective;
+  glm::mat3 patient_to_index;
+  glm::vec3 eye_index;
+  bool operator==(const ViewRays&) const = default;
+};
+
+ViewRays view_rays(const Camera& camera, Viewport viewport, const VolumeGeometry& geometry);
+
+void set_view_rays(const gl::Program& program, const ViewRays& rays);
+
+}  // namespace cutaway
