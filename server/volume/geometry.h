@@ -6,14 +6,14 @@
 
 namespace cutaway {
 
-/// A regular grid in patient space: DICOM's LPS (x to the patient's left, y to posterior, z to superior),
-/// millimetres. Voxel centres are at integer indices. Axes are orthogonal; the grid may be oblique, anisotropic
-/// and left-handed.
+/// A regular grid in patient space: DICOM's LPS (x to the patient's left, y to posterior, z to
+/// superior), millimetres. Voxel centres are at integer indices. Axes are orthogonal; the grid may
+/// be oblique, anisotropic and left-handed.
 struct VolumeGeometry {
   glm::ivec3 size_voxels{0};
   glm::dvec3 spacing_mm{1.0};
-  glm::dvec3 origin_patient_mm{0.0};     ///< centre of voxel (0,0,0)
-  glm::dmat3 direction_patient{1.0};     ///< unit columns: the i, j and k axes in patient space
+  glm::dvec3 origin_patient_mm{0.0};  ///< centre of voxel (0,0,0)
+  glm::dmat3 direction_patient{1.0};  ///< unit columns: the i, j and k axes in patient space
 
   bool operator==(const VolumeGeometry&) const = default;
 };

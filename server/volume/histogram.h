@@ -16,18 +16,19 @@ struct Histogram {
 
 Histogram build_histogram(const Volume& volume, int bins);
 
-/// Multi-level Otsu: the `levels` - 1 physical values that part the histogram into `levels` classes of greatest
-/// between-class variance, ascending. levels is 2..4.
-/// Source: N. Otsu, "A Threshold Selection Method from Gray-Level Histograms", IEEE Trans. SMC 9(1), 1979; P.-S. Liao et
-/// al., "A Fast Algorithm for Multilevel Thresholding", JISE 17, 2001.
+/// Multi-level Otsu: the `levels` - 1 physical values that part the histogram into `levels` classes
+/// of greatest between-class variance, ascending. levels is 2..4. Source: N. Otsu, "A Threshold
+/// Selection Method from Gray-Level Histograms", IEEE Trans. SMC 9(1), 1979; P.-S. Liao et al., "A
+/// Fast Algorithm for Multilevel Thresholding", JISE 17, 2001.
 std::vector<double> otsu_thresholds(const Histogram& histogram, int levels);
 
-/// Iso-values of an outer (context) and an inner (focus) surface for this volume: CT in HU has skin at -200 and bone at
-/// 250; everything else by Otsu over its histogram.
+/// Iso-values of an outer (context) and an inner (focus) surface for this volume: CT in HU has skin
+/// at -200 and bone at 250; everything else by Otsu over its histogram.
 struct SuggestedSurfaces {
   double outer_iso_value = 0.0;
   double inner_iso_value = 0.0;
 };
-SuggestedSurfaces suggest_surfaces(const VolumeDescription& description, const Histogram& histogram);
+SuggestedSurfaces suggest_surfaces(const VolumeDescription& description,
+                                   const Histogram& histogram);
 
 }  // namespace cutaway

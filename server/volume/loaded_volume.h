@@ -16,7 +16,8 @@ struct LoadedVolume {
   SuggestedSurfaces surfaces;
 };
 
-std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume, const ProgressSink& progress,
+std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume,
+                                                         const ProgressSink& progress,
                                                          std::stop_token stop);
 
 }  // namespace cutaway

@@ -10,9 +10,9 @@
 
 namespace cutaway {
 
-/// Bricks of `brick_size` cells an edge; brick b spans the continuous indices [b*brick_size, (b+1)*brick_size] on each
-/// axis, both ends included, so every trilinear sample inside a brick lies between its minimum and maximum. Values are
-/// physical. (techniques: min-max brick grid.)
+/// Bricks of `brick_size` cells an edge; brick b spans the continuous indices [b*brick_size,
+/// (b+1)*brick_size] on each axis, both ends included, so every trilinear sample inside a brick
+/// lies between its minimum and maximum. Values are physical. (techniques: min-max brick grid.)
 struct MinMaxGrid {
   int brick_size = 8;
   glm::ivec3 size_bricks{0};
@@ -23,10 +23,10 @@ struct MinMaxGrid {
 MinMaxGrid build_min_max_grid(const Volume& volume, int brick_size, const ProgressSink& progress,
                               std::stop_token stop);
 
-/// Chebyshev distance, in bricks, from each brick to the nearest one that holds the iso-value (minimum <= iso <=
-/// maximum): 0 for such a brick itself, saturated at 255. A sample in a brick of distance D may skip to the exit of the
-/// cube of (2D-1) bricks centred on it.
-/// Source: L. Deakin, M. Knackstedt, "Accelerated Volume Rendering with Chebyshev Distance Maps", SIGGRAPH Asia 2019
+/// Chebyshev distance, in bricks, from each brick to the nearest one that holds the iso-value
+/// (minimum <= iso <= maximum): 0 for such a brick itself, saturated at 255. A sample in a brick of
+/// distance D may skip to the exit of the cube of (2D-1) bricks centred on it. Source: L. Deakin,
+/// M. Knackstedt, "Accelerated Volume Rendering with Chebyshev Distance Maps", SIGGRAPH Asia 2019
 /// Technical Briefs.
 std::vector<std::uint8_t> chebyshev_distance_map(const MinMaxGrid& grid, double iso_value);
 

@@ -17,12 +17,14 @@ struct RayInterval {
   double end_mm = 0.0;
 };
 
-/// Where the ray is inside the box of voxel centres, clipped to distances >= 0; nothing where it misses.
+/// Where the ray is inside the box of voxel centres, clipped to distances >= 0; nothing where it
+/// misses.
 std::optional<RayInterval> intersect_grid(const VolumeGeometry& geometry, const PatientRay& ray);
 
-/// Distance along the ray to the first point within `limits` where the value reaches `iso_value` (>=), marching half the
-/// smallest spacing and refining by bisection; the start itself counts where the value is already reached there.
-std::optional<double> first_surface_mm(const Volume& volume, const PatientRay& ray, double iso_value,
-                                       RayInterval limits);
+/// Distance along the ray to the first point within `limits` where the value reaches `iso_value`
+/// (>=), marching half the smallest spacing and refining by bisection; the start itself counts
+/// where the value is already reached there.
+std::optional<double> first_surface_mm(const Volume& volume, const PatientRay& ray,
+                                       double iso_value, RayInterval limits);
 
 }  // namespace cutaway

@@ -18,7 +18,7 @@ struct ValueRange {
 
 /// What a listing, a log line and `cutaway info` say of a volume.
 struct VolumeDescription {
-  std::string id;        ///< stable across restarts and free of spaces: it stands in shared addresses
+  std::string id;  ///< stable across restarts and free of spaces: it stands in shared addresses
   std::string title;
   std::string format;    ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "image stack", "phantom"
   std::string modality;  ///< DICOM's code ("CT", "MR"), or "" where the file does not say
@@ -29,8 +29,9 @@ struct VolumeDescription {
 /// Either 16-bit stored values or floats, i fastest, then j, then k.
 using Voxels = std::variant<std::vector<std::uint16_t>, std::vector<float>>;
 
-/// Physical value = stored * value_scale + value_offset: Hounsfield units for CT. Rescale slope and intercept of
-/// the file are in there exactly once. Every value is finite. Immutable after loading, so shared between threads.
+/// Physical value = stored * value_scale + value_offset: Hounsfield units for CT. Rescale slope and
+/// intercept of the file are in there exactly once. Every value is finite. Immutable after loading,
+/// so shared between threads.
 struct Volume {
   VolumeDescription description;
   VolumeGeometry geometry;

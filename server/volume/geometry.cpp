@@ -1,0 +1,45 @@
+#include "volume/geometry.h"
+
+#include <array>
+
+namespace cutaway {
+
+namespace {
+
+glm::dmat3 axes_patient_mm(const VolumeGeometry& geometry) {
+  glm::dmat3 axes = geometry.direction_patient;
+  for (int axis = 0; axis < 3; ++axis) axes[axis] *= geometry.spacing_mm[axis];
+  return axes;
+}
+
+}  // namespace
+
+glm::dmat4 index_to_patient(const VolumeGeometry& geometry) {
+  glm::dmat4 matrix(axes_patient_mm(geometry));
+  matrix[3] = glm::dvec4(geometry.origin_patient_mm, 1.0);
+  return matrix;
+}
+
+glm::dmat4 patient_to_index(const VolumeGeometry& geometry) {
+  const glm::dmat3 inverse = glm::inverse(axes_patient_mm(geometry));
+  glm::dmat4 matrix(inverse);
+  matrix[3] = glm::dvec4(-(inverse * geometry.origin_patient_mm), 1.0);
+  return matrix;
+}
+
+BoundingBox bounds_patient_mm(const VolumeGeometry& geometry) {
+  const glm::dmat3 axes = axes_patient_mm(geometry);
+  BoundingBox bounds{geometry.origin_patient_mm, geometry.origin_patient_mm};
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::dvec3 extent = axes[axis] * double(geometry.size_voxels[axis] - 1);
+    bounds.minimum_mm += glm::min(extent, 0.0);
+    bounds.maximum_mm += glm::max(extent, 0.0);
+  }
+  return bounds;
+}
+
+double diagonal_mm(const VolumeGeometry& geometry) {
+  return glm::length(glm::dvec3(geometry.size_voxels - 1) * geometry.spacing_mm);
+}
+
+}  // namespace cutaway

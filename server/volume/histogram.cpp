@@ -1,0 +1,72 @@
+#include "volume/histogram.h"
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+#include <string>
+
+#include "core/check.h"
+#include "volume/parallel.h"
+
+namespace cutaway {
+
+namespace {
+
+constexpr std::size_t kChunkVoxels = std::size_t(1) << 22;
+
+int bin_of(const Histogram& histogram, double value) {
+  const double width = histogram.range.maximum - histogram.range.minimum;
+  if (!(width > 0.0)) return 0;
+  const double bins = double(histogram.counts.size());
+  const double bin = (value - histogram.range.minimum) / width * bins;
+  return int(std::clamp(bin, 0.0, bins - 1.0));
+}
+
+using Counts = std::vector<std::uint64_t>;
+
+/// Counts each chunk on its own and adds them up: sums of integers do not depend on the order.
+template <typename T, typename BinOf>
+Counts count_parallel(std::span<const T> values, std::size_t bins, const BinOf& bin) {
+  Counts total(bins);
+  std::mutex mutex;
+  const auto count_chunk = [&](int chunk) {
+    Counts counts(bins);
+    const std::size_t begin = chunk * kChunkVoxels;
+    for (const T value : values.subspan(begin, std::min(kChunkVoxels, values.size() - begin))) {
+      ++counts[bin(value)];
+    }
+    const std::lock_guard lock(mutex);
+    std::transform(total.begin(), total.end(), counts.begin(), total.begin(), std::plus<>());
+  };
+  const std::size_t chunks = (values.size() + kChunkVoxels - 1) / kChunkVoxels;
+  run_parallel({.count = int(chunks), .turn = count_chunk, .progress = {}}, {});
+  return total;
+}
+
+/// Counts the 65536 stored values first: that needs no arithmetic per voxel.
+void count(const Volume& volume, std::span<const std::uint16_t> voxels, Histogram& histogram) {
+  constexpr std::size_t kValues = std::numeric_limits<std::uint16_t>::max() + 1;
+  const Counts counts = count_parallel(voxels, kValues, [](std::uint16_t v) { return v; });
+  for (std::size_t stored = 0; stored < kValues; ++stored) {
+    const double value = double(stored) * volume.value_scale + volume.value_offset;
+    histogram.counts[bin_of(histogram, value)] += counts[stored];
+  }
+}
+
+void count(const Volume& volume, std::span<const float> voxels, Histogram& histogram) {
+  histogram.counts = count_parallel(voxels, histogram.counts.size(), [&](float stored) {
+    return bin_of(histogram, double(stored) * volume.value_scale + volume.value_offset);
+  });
+}
+
+}  // namespace
+
+Histogram build_histogram(const Volume& volume, int bins) {
+  check(bins >= 1, "bins is " + std::to_string(bins));
+  Histogram histogram{.range = volume.value_range, .counts = Counts(bins)};
+  std::visit([&](const auto& voxels) { count(volume, std::span(voxels), histogram); },
+             volume.voxels);
+  return histogram;
+}
+
+}  // namespace cutaway

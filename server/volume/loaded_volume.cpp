@@ -1,0 +1,31 @@
+#include "volume/loaded_volume.h"
+
+#include <utility>
+
+namespace cutaway {
+
+namespace {
+
+constexpr int kBrickSize = 8;
+constexpr int kHistogramBins = 1024;
+constexpr double kMinMaxShare = 0.8;  ///< of the stage's progress; the histogram is the rest
+
+}  // namespace
+
+std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume,
+                                                         const ProgressSink& progress,
+                                                         std::stop_token stop) {
+  const ProgressSink share = [&](LoadStage stage, double fraction) {
+    if (progress) progress(stage, fraction * kMinMaxShare);
+  };
+  auto loaded = std::make_shared<LoadedVolume>();
+  loaded->volume = std::move(volume);
+  loaded->min_max = build_min_max_grid(loaded->volume, kBrickSize, share, stop);
+  loaded->histogram = build_histogram(loaded->volume, kHistogramBins);
+  throw_if_cancelled(stop);
+  loaded->surfaces = suggest_surfaces(loaded->volume.description, loaded->histogram);
+  if (progress) progress(LoadStage::min_max, 1.0);
+  return loaded;
+}
+
+}  // namespace cutaway

@@ -1,0 +1,38 @@
+#include "volume/loaded_volume.h"
+
+#include <gtest/gtest.h>
+
+#include "support/analytic_volumes.h"
+
+namespace cutaway {
+namespace {
+
+TEST(DeriveLoadedVolume, HoldsWhatBelongsToTheVolume) {
+  const Volume volume = test::sphere_volume(test::centred_geometry(40), 300.0);
+  const auto loaded = derive_loaded_volume(volume, {}, {});
+  EXPECT_EQ(loaded->volume.value_range, volume.value_range);
+  EXPECT_EQ(loaded->min_max.size_bricks, glm::ivec3(5));
+  EXPECT_EQ(loaded->histogram.range, volume.value_range);
+  EXPECT_LT(loaded->surfaces.outer_iso_value, loaded->surfaces.inner_iso_value);
+}
+
+TEST(DeriveLoadedVolume, ReportsRisingProgressToTheEnd) {
+  double last = 0.0;
+  const auto sink = [&](LoadStage stage, double fraction) {
+    EXPECT_EQ(stage, LoadStage::min_max);
+    EXPECT_GE(fraction, last);
+    last = fraction;
+  };
+  derive_loaded_volume(test::sphere_volume(test::centred_geometry(40), 0.0), sink, {});
+  EXPECT_EQ(last, 1.0);
+}
+
+TEST(DeriveLoadedVolume, CanBeCancelled) {
+  std::stop_source source;
+  source.request_stop();
+  const Volume volume = test::sphere_volume(test::centred_geometry(40), 0.0);
+  EXPECT_THROW(derive_loaded_volume(volume, {}, source.get_token()), Cancelled);
+}
+
+}  // namespace
+}  // namespace cutaway

@@ -1,0 +1,95 @@
+#include "volume/voxel_packing.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/error.h"
+
+namespace cutaway {
+namespace {
+
+template <typename T>
+std::vector<double> physical(const std::vector<T>& values, double slope = 1.0,
+                             double intercept = 0.0) {
+  const PackedVoxels packed = pack_voxels(std::span<const T>(values), slope, intercept);
+  std::vector<double> result;
+  std::visit(
+      [&](const auto& stored) {
+        for (const auto v : stored) {
+          result.push_back(double(v) * packed.value_scale + packed.value_offset);
+        }
+      },
+      packed.voxels);
+  return result;
+}
+
+template <typename T>
+bool is_uint16(const std::vector<T>& values) {
+  return std::holds_alternative<std::vector<std::uint16_t>>(
+      pack_voxels(std::span<const T>(values)).voxels);
+}
+
+template <typename T>
+class PackEveryInteger : public testing::Test {};
+using Integers = testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
+                                std::int32_t, std::uint32_t>;
+TYPED_TEST_SUITE(PackEveryInteger, Integers);
+
+TYPED_TEST(PackEveryInteger, KeepsEachValueIncludingTheExtremes) {
+  using Limits = std::numeric_limits<TypeParam>;
+  const std::vector<TypeParam> values{Limits::min(), TypeParam(1), TypeParam(100), Limits::max()};
+  const std::vector<double> result = physical(values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(result[i], double(float(values[i])));
+  }
+  EXPECT_EQ(is_uint16(values), sizeof(TypeParam) <= 2);
+}
+
+TEST(PackVoxels, WideIntegersOfANarrowRangeAre16Bit) {
+  const std::vector<std::int32_t> values{-1'000'000, -1'000'000 + 65535};
+  EXPECT_TRUE(is_uint16(values));
+  EXPECT_EQ(physical(values), (std::vector<double>{-1'000'000.0, -934'465.0}));
+  EXPECT_FALSE(is_uint16(std::vector<std::int32_t>{-1'000'000, -1'000'000 + 65536}));
+}
+
+TEST(PackVoxels, AppliesTheRescaleOnceAndOrdersTheRange) {
+  const std::vector<std::int16_t> values{-10, 0, 20};
+  const PackedVoxels packed = pack_voxels(std::span<const std::int16_t>(values), -2.0, 5.0);
+  EXPECT_EQ(physical(values, -2.0, 5.0), (std::vector<double>{25.0, 5.0, -35.0}));
+  EXPECT_EQ(packed.value_range, (ValueRange{-35.0, 25.0}));
+  EXPECT_EQ(physical(std::vector<float>{1.0f, 2.0f}, 10.0, 1.0), (std::vector<double>{11.0, 21.0}));
+}
+
+TEST(PackVoxels, ReplacesWhatIsNotFiniteByTheSmallest) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const std::vector<float> values{kNan, 3.0f, -kInfinity, -2.0f, kInfinity};
+  const PackedVoxels packed = pack_voxels(std::span<const float>(values));
+  EXPECT_EQ(packed.replaced_non_finite, 3u);
+  EXPECT_EQ(packed.value_range, (ValueRange{-2.0, 3.0}));
+  EXPECT_EQ(physical(values), (std::vector<double>{-2.0, 3.0, -2.0, -2.0, -2.0}));
+}
+
+TEST(PackVoxels, ADoubleTooLargeForAFloatIsNotFinite) {
+  const std::vector<double> values{1e300, 0.5};
+  EXPECT_EQ(pack_voxels(std::span<const double>(values)).replaced_non_finite, 1u);
+  EXPECT_EQ(physical(values), (std::vector<double>{0.5, 0.5}));
+}
+
+TEST(PackVoxels, RefusesVoxelsWithoutAFiniteValue) {
+  const std::vector<double> values(3, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_THROW(pack_voxels(std::span<const double>(values)), Error);
+  EXPECT_THROW(pack_voxels(std::span<const double>()), Error);
+}
+
+TEST(PackVoxels, RefusesAnUnusableRescale) {
+  const std::vector<std::uint8_t> values{1, 2};
+  const std::span<const std::uint8_t> span(values);
+  EXPECT_THROW(pack_voxels(span, 0.0), Error);
+  EXPECT_THROW(pack_voxels(span, std::numeric_limits<double>::quiet_NaN()), Error);
+  EXPECT_THROW(pack_voxels(span, 1.0, std::numeric_limits<double>::infinity()), Error);
+}
+
+}  // namespace
+}  // namespace cutaway
