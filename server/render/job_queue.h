@@ -21,18 +21,30 @@ class JobQueue {
   std::optional<Job> put(Job job) {
     const std::lock_guard lock(mutex_);
     for (Job& waiting : jobs_) {
-      if (waiting.view == job.view) return std::exchange(waiting, std::move(job));
+      if (waiting.view() == job.view()) return std::exchange(waiting, std::move(job));
     }
     jobs_.push_back(std::move(job));
     changed_.notify_one();
     return std::nullopt;
   }
 
+  /// Lets `change` alter the view's waiting job, which keeps its place. False where none waits.
+  template <typename Change>
+  bool alter(std::uint64_t view, Change&& change) {
+    const std::lock_guard lock(mutex_);
+    for (Job& waiting : jobs_) {
+      if (waiting.view() != view) continue;
+      std::forward<Change>(change)(waiting);
+      return true;
+    }
+    return false;
+  }
+
   /// The view's waiting job, which will now not be served.
   std::optional<Job> withdraw(std::uint64_t view) {
     const std::lock_guard lock(mutex_);
     for (auto at = jobs_.begin(); at != jobs_.end(); ++at) {
-      if (at->view != view) continue;
+      if (at->view() != view) continue;
       std::optional<Job> job(std::move(*at));
       jobs_.erase(at);
       return job;

@@ -54,6 +54,10 @@ void RenderThread::serve(RenderWorker& worker, const std::stop_token& stop) {
 
 void RenderThread::submit(RenderJob job) { replace(queue_.put(std::move(job))); }
 
+bool RenderThread::renew(const RenderRequest& request) {
+  return queue_.alter(request.view, [&](RenderJob& waiting) { waiting.request = request; });
+}
+
 void RenderThread::release(std::uint64_t view) {
   {
     const std::lock_guard lock(released_mutex_);

@@ -17,9 +17,18 @@
 
 namespace cutaway {
 
+struct RenderRequest {
+  std::uint64_t view = 0;  ///< names the buffers kept between its jobs
+  std::shared_ptr<const LoadedVolume> volume;
+  std::shared_ptr<const Scene> scene;
+  RenderSettings settings;
+  std::shared_ptr<const void> label;  ///< the caller's own, handed back with the frame
+};
+
 struct RenderedFrame {
   Pixels pixels;
   std::uint32_t render_us = 0;  ///< from the job's begin until its pixels had arrived
+  std::shared_ptr<const void> label;
 };
 
 struct RenderReplaced {};
@@ -27,12 +36,12 @@ struct RenderReplaced {};
 using RenderOutcome = std::variant<RenderedFrame, RenderReplaced, Error>;
 
 struct RenderJob {
-  std::uint64_t view = 0;  ///< names the buffers kept between its jobs
-  std::shared_ptr<const LoadedVolume> volume;
-  std::shared_ptr<const Scene> scene;
-  RenderSettings settings;
-  /// Called once, on the render thread or the thread that submits a newer job; must return quickly.
+  RenderRequest request;
+  /// Called once, on the render thread or the thread that submits a newer job or releases the view;
+  /// must return quickly.
   std::function<void(RenderOutcome)> done;
+
+  std::uint64_t view() const { return request.view; }
 };
 
 class RenderWorker;
@@ -55,6 +64,10 @@ class RenderThread {
   /// A job that waits for the same view is replaced by the newer one; one that was begun is
   /// finished.
   void submit(RenderJob job);
+
+  /// Puts `request` in the place of its view's waiting one, whose `done` stays. False where none
+  /// waits.
+  bool renew(const RenderRequest& request);
 
   /// Forgets the view's buffers; a job that waits ends as replaced.
   void release(std::uint64_t view);

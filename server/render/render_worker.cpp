@@ -29,7 +29,7 @@ void RenderWorker::begin(RenderJob job) {
     pending.job.done(error);
     return;
   } catch (const std::exception& failure) {
-    log().error("view {} could not be drawn: {}", pending.job.view, failure.what());
+    log().error("view {} could not be drawn: {}", pending.job.view(), failure.what());
     pending.job.done(Error({.code = "render-failed", .message = "the picture could not be drawn"}));
     return;
   }
@@ -38,12 +38,12 @@ void RenderWorker::begin(RenderJob job) {
 }
 
 void RenderWorker::draw(Pending& pending) {
-  const RenderJob& job = pending.job;
+  const RenderRequest& request = pending.job.request;
   if (context_.is_lost())
     throw Error({.code = "render-failed", .message = "the graphics device was lost"});
-  ViewState& view = views_[job.view];
-  pipeline_.render(view, *job.scene, volume_for(job.volume), job.settings);
-  FramePipeline::start_readback(view, job.settings.layout, pending.readback);
+  ViewState& view = views_[request.view];
+  pipeline_.render(view, *request.scene, volume_for(request.volume), request.settings);
+  FramePipeline::start_readback(view, request.settings.layout, pending.readback);
 }
 
 void RenderWorker::finish(bool wait) {
@@ -57,7 +57,9 @@ void RenderWorker::finish(bool wait) {
 }
 
 void RenderWorker::deliver(Pending& pending) {
-  RenderedFrame frame{.pixels = pixels_of(pending.job.settings, pending.readback)};
+  const RenderRequest& request = pending.job.request;
+  RenderedFrame frame{.pixels = pixels_of(request.settings, pending.readback),
+                      .label = request.label};
   const auto spent =
       std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - pending.begun);
   frame.render_us = static_cast<std::uint32_t>(spent.count());

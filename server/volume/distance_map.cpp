@@ -11,8 +11,7 @@ constexpr int kFarthest = 255;
 std::vector<std::uint8_t> mark_bricks(const MinMaxGrid& grid, double iso_value) {
   std::vector<std::uint8_t> distances(grid.minimum.size());
   for (std::size_t i = 0; i < distances.size(); ++i) {
-    const bool holds = grid.minimum[i] <= iso_value && iso_value <= grid.maximum[i];
-    distances[i] = holds ? 0 : kFarthest;
+    distances[i] = grid.maximum[i] >= iso_value ? 0 : kFarthest;
   }
   return distances;
 }

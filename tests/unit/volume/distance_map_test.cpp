@@ -34,7 +34,7 @@ int brute_force(const MinMaxGrid& grid, glm::ivec3 from) {
   int nearest = 255;
   for_each_brick(grid.size_bricks, [&](glm::ivec3 brick, int at) {
     const glm::ivec3 apart = glm::abs(brick - from);
-    if (grid.minimum[at] == 1.0f)
+    if (grid.maximum[at] >= 1.0f)
       nearest = std::min({nearest, std::max({apart.x, apart.y, apart.z})});
   });
   return nearest;
@@ -63,12 +63,12 @@ TEST(ChebyshevDistanceMap, SaturatesWithoutAnyBrickAndBeyond255) {
   EXPECT_EQ(int(distances[300]), 1);
 }
 
-TEST(ChebyshevDistanceMap, LimitsOfABrickHoldTheIsoValue) {
+TEST(ChebyshevDistanceMap, CountsBricksThatReachTheIsoValue) {
   MinMaxGrid grid = random_grid({3, 1, 1}, 0.0, 1);
   grid.minimum = {0.0f, 10.0f, 20.0f};
   grid.maximum = {10.0f, 20.0f, 30.0f};
-  EXPECT_EQ(chebyshev_distance_map(grid, 10.0), (std::vector<std::uint8_t>{0, 0, 1}));
-  EXPECT_EQ(chebyshev_distance_map(grid, 10.5), (std::vector<std::uint8_t>{1, 0, 1}));
+  EXPECT_EQ(chebyshev_distance_map(grid, 10.0), (std::vector<std::uint8_t>{0, 0, 0}));
+  EXPECT_EQ(chebyshev_distance_map(grid, 10.5), (std::vector<std::uint8_t>{1, 0, 0}));
   EXPECT_EQ(chebyshev_distance_map(grid, 30.0), (std::vector<std::uint8_t>{2, 1, 0}));
 }
 

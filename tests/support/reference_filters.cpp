@@ -1,0 +1,143 @@
+#include "support/reference_filters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace cutaway::reference {
+
+namespace {
+
+double brightness(glm::dvec3 colour) {
+  return glm::dot(colour, glm::dvec3(0.2126, 0.7152, 0.0722));
+}
+
+struct Statistics {
+  glm::dvec3 mean_colour{0.0};
+  double variance = 0.0;
+  int samples = 0;
+};
+
+/// The quadrant of the window that reaches from `centre` towards `direction`, over covered pixels
+/// of the picture only.
+Statistics quadrant(const BranchImage& input, glm::ivec2 centre, glm::ivec2 direction,
+                    int radius_px) {
+  std::vector<glm::dvec3> colours;
+  for (int y = 0; y <= radius_px; ++y) {
+    for (int x = 0; x <= radius_px; ++x) {
+      const glm::ivec2 at = centre + direction * glm::ivec2(x, y);
+      if (input.contains(at) && input.at(at).coverage > 0.0) colours.push_back(input.at(at).colour);
+    }
+  }
+  Statistics result{.samples = static_cast<int>(colours.size())};
+  double mean_brightness = 0.0;
+  for (const auto& colour : colours) {
+    result.mean_colour += colour / static_cast<double>(colours.size());
+    mean_brightness += brightness(colour) / static_cast<double>(colours.size());
+  }
+  for (const auto& colour : colours) {
+    const double offset = brightness(colour) - mean_brightness;
+    result.variance += offset * offset / static_cast<double>(colours.size());
+  }
+  return result;
+}
+
+glm::dvec3 kuwahara_colour(const BranchImage& input, glm::ivec2 centre, int radius_px) {
+  std::array<Statistics, 4> quadrants;
+  const std::array<glm::ivec2, 4> directions{glm::ivec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}};
+  int most = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    quadrants[i] = quadrant(input, centre, directions[i], radius_px);
+    most = std::max(most, quadrants[i].samples);
+  }
+  const double enough =
+      std::min(0.25 * (radius_px + 1) * (radius_px + 1), static_cast<double>(most));
+  double least = 1e9;
+  for (const auto& q : quadrants) {
+    if (q.samples >= enough) least = std::min(least, q.variance);
+  }
+  glm::dvec3 sum(0.0);
+  int chosen = 0;
+  for (const auto& q : quadrants) {
+    if (q.samples < enough || q.variance > least + 1e-6) continue;
+    sum += q.mean_colour;
+    ++chosen;
+  }
+  return sum / static_cast<double>(chosen);
+}
+
+double edge_magnitude(const std::array<double, 9>& n, bool euclidean) {
+  const double across = (n[2] + 2.0 * n[5] + n[8]) - (n[0] + 2.0 * n[3] + n[6]);
+  const double down = (n[6] + 2.0 * n[7] + n[8]) - (n[0] + 2.0 * n[1] + n[2]);
+  return euclidean ? std::hypot(across, down) : std::abs(across) + std::abs(down);
+}
+
+/// Edge strength of each colour channel, with the silhouette's put in.
+glm::dvec3 edges(const BranchImage& input, glm::ivec2 at, const Sobel& parameters) {
+  std::array<std::array<double, 9>, 4> channels{};
+  for (int i = 0; i < 9; ++i) {
+    const BranchPixel& pixel = input.clamped(at + glm::ivec2(i % 3 - 1, i / 3 - 1));
+    const glm::dvec3 colour = pixel.coverage > 0.0 ? pixel.colour : input.at(at).colour;
+    for (int c = 0; c < 3; ++c) channels[c][i] = colour[c];
+    channels[3][i] = pixel.silhouette_coverage;
+  }
+  const double gain = parameters.unit_norm ? 0.25 : 1.0;
+  const double silhouette = std::min(1.0, gain * edge_magnitude(channels[3], parameters.euclidean));
+  glm::dvec3 result;
+  for (int c = 0; c < 3; ++c) {
+    result[c] = std::max(silhouette,
+                         std::min(1.0, gain * edge_magnitude(channels[c], parameters.euclidean)));
+  }
+  return result;
+}
+
+}  // namespace
+
+BranchImage kuwahara(const BranchImage& input, int radius_px) {
+  BranchImage output = input;
+  for (int y = 0; y < input.size_px.y; ++y) {
+    for (int x = 0; x < input.size_px.x; ++x) {
+      if (input.at({x, y}).coverage > 0.0)
+        output.at({x, y}).colour = kuwahara_colour(input, {x, y}, radius_px);
+    }
+  }
+  return output;
+}
+
+BranchImage sobel(const BranchImage& input, const Sobel& parameters) {
+  BranchImage output = input;
+  for (int y = 0; y < input.size_px.y; ++y) {
+    for (int x = 0; x < input.size_px.x; ++x) {
+      BranchPixel& pixel = output.at({x, y});
+      if (pixel.coverage == 0.0) continue;
+      const glm::dvec3 lines = edges(input, {x, y}, parameters);
+      if (parameters.mode == "darken") pixel.colour -= parameters.strength * lines;
+      if (parameters.mode == "brighten") pixel.colour += parameters.strength * lines;
+      if (parameters.mode == "multiply")
+        pixel.colour *= 1.0 - parameters.strength * brightness(lines);
+      pixel.colour = glm::clamp(pixel.colour, 0.0, 1.0);
+    }
+  }
+  return output;
+}
+
+BranchImage apply_filter(const BranchImage& input, const Module& filter, double resolution_scale) {
+  const Json& parameters = filter.parameters;
+  if (filter.name == "kuwahara") {
+    const int radius = parameters.at("radius").get<int>();
+    return radius == 0
+               ? input
+               : kuwahara(input,
+                          std::max(1, static_cast<int>(std::lround(radius * resolution_scale))));
+  }
+  if (filter.name == "sobel") {
+    return sobel(input, {.strength = parameters.at("strength").get<double>(),
+                         .mode = parameters.at("mode").get<std::string>(),
+                         .unit_norm = parameters.at("norm") == "unit",
+                         .euclidean = parameters.at("gradient") == "l2"});
+  }
+  throw std::logic_error("the reference has no filter " + filter.name);
+}
+
+}  // namespace cutaway::reference

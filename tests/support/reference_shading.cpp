@@ -1,0 +1,65 @@
+#include "support/reference_shading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace cutaway::reference {
+
+namespace {
+
+glm::dvec3 colour(const Json& parameters, const char* name) {
+  const auto channels = parameters.at(name).get<std::vector<double>>();
+  return {channels[0], channels[1], channels[2]};
+}
+
+double tone_lookup(const Json& parameters, double cosine) {
+  if (parameters.at("lambert") == "clamped") return std::clamp(cosine, 0.0, 1.0);
+  const double terminator = parameters.at("terminator").get<double>();
+  const double u = cosine < terminator ? 0.5 * (cosine + 1.0) / (terminator + 1.0)
+                                       : 0.5 + 0.5 * (cosine - terminator) / (1.0 - terminator);
+  return std::clamp(u, 0.0, 1.0);
+}
+
+glm::dvec3 tone(const Json& parameters, double cosine) {
+  const double position =
+      tone_position(tone_lookup(parameters, cosine), parameters.at("detail").get<double>());
+  return glm::mix(colour(parameters, "dark"), colour(parameters, "light"), position);
+}
+
+double highlight(const Json& parameters, glm::dvec3 normal, glm::dvec3 to_light,
+                 glm::dvec3 to_viewer) {
+  const double exponent = parameters.at("exponent").get<double>();
+  if (glm::dot(normal, to_light) <= 0.0) return 0.0;
+  if (parameters.at("model") == "blinn") {
+    if (glm::length(to_light + to_viewer) < 1e-6) return 0.0;
+    return std::pow(std::max(0.0, glm::dot(normal, glm::normalize(to_light + to_viewer))),
+                    4.0 * exponent);
+  }
+  return std::pow(std::max(0.0, glm::dot(glm::reflect(-to_light, normal), to_viewer)), exponent);
+}
+
+glm::dvec3 phong(const Json& parameters, glm::dvec3 normal, glm::dvec3 to_light,
+                 glm::dvec3 to_viewer) {
+  const double lit =
+      parameters.at("ambient").get<double>() +
+      parameters.at("diffuse").get<double>() * std::max(0.0, glm::dot(normal, to_light));
+  const double spot =
+      parameters.at("specular").get<double>() * highlight(parameters, normal, to_light, to_viewer);
+  return glm::clamp(colour(parameters, "colour") * lit + spot, 0.0, 1.0);
+}
+
+}  // namespace
+
+double tone_position(double u, double detail) {
+  return u < 0.5 ? detail * u : 1.0 - detail * (1.0 - u);
+}
+
+glm::dvec3 shade(const Module& shading, glm::dvec3 normal, glm::dvec3 to_light,
+                 glm::dvec3 to_viewer) {
+  if (shading.name == "tone") return tone(shading.parameters, glm::dot(normal, to_light));
+  if (shading.name == "phong") return phong(shading.parameters, normal, to_light, to_viewer);
+  throw std::logic_error("the reference has no shading model " + shading.name);
+}
+
+}  // namespace cutaway::reference
