@@ -1,5 +1,6 @@
-// What a frame shows, as checked values. The schema protocol/schema/scene.schema.json is the one place that says ranges,
-// units and defaults; these types hold what has passed it and been resolved for a volume.
+// What a frame shows, as checked values. The schema protocol/schema/scene.schema.json is the one
+// place that says ranges, units and defaults; these types hold what has passed it and been resolved
+// for a volume.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,8 +11,8 @@
 
 namespace cutaway {
 
-/// One entry of a registry (a shading model, a filter, a lens shape) with its parameters: every parameter of its schema
-/// entry is present and in range, so whoever reads them needs no default.
+/// One entry of a registry (a shading model, a filter, a lens shape) with its parameters: every
+/// parameter of its schema entry is present and in range, so whoever reads them needs no default.
 struct Module {
   std::string name;
   Json parameters;  ///< object without "name"
@@ -61,7 +62,8 @@ enum class LightFrame { camera, patient };
 
 struct Light {
   LightFrame frame = LightFrame::camera;
-  glm::dvec3 direction{-0.5, 0.7, 0.5};  ///< towards the light; camera frame: x right, y up, z to the viewer
+  glm::dvec3 direction{-0.5, 0.7,
+                       0.5};  ///< towards the light; camera frame: x right, y up, z to the viewer
   bool operator==(const Light&) const = default;
 };
 

@@ -20,8 +20,8 @@ struct ViewRay {
   glm::dvec3 direction;  ///< unit length
 };
 
-/// The ray through a point of the viewport; (0,0) is the upper left corner of the upper left pixel, whose centre is at
-/// (0.5,0.5).
+/// The ray through a point of the viewport; (0,0) is the upper left corner of the upper left pixel,
+/// whose centre is at (0.5,0.5).
 ViewRay ray_through(const Camera& camera, Viewport viewport, glm::dvec2 position_px);
 
 /// Where a patient point appears in the viewport; nothing where it is behind the eye.

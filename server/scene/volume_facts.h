@@ -18,7 +18,8 @@ struct VolumeFacts {
   double maximum_value = 0.0;
   double outer_iso_value = 0.0;  ///< context by default: skin
   double inner_iso_value = 0.0;  ///< focus by default: bone
-  /// First point on the ray (origin, unit direction) where the value reaches the iso-value. Thread-safe.
+  /// First point on the ray (origin, unit direction) where the value reaches the iso-value.
+  /// Thread-safe.
   std::function<std::optional<glm::dvec3>(glm::dvec3, glm::dvec3, double)> first_surface_mm;
 };
 

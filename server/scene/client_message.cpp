@@ -1,0 +1,103 @@
+#include "scene/client_message.h"
+
+#include <map>
+
+#include "scene/json_text.h"
+#include "scene/schema.h"
+
+namespace cutaway {
+
+namespace {
+
+InputStamp stamp_of(const Json& message) {
+  return {message.at("input").get<std::uint32_t>(), message.at("clock_ms").get<double>()};
+}
+
+glm::dvec2 position_of(const Json& message) {
+  const Json& position = message.at("position_px");
+  return {position.at(0).get<double>(), position.at(1).get<double>()};
+}
+
+std::uint32_t request_of(const Json& message) { return message.at("request").get<std::uint32_t>(); }
+
+int width_of(const Json& message) { return message.at("width_px").get<int>(); }
+int height_of(const Json& message) { return message.at("height_px").get<int>(); }
+
+using Reading = ClientMessage (*)(const Json&);
+
+const std::map<std::string, Reading, std::less<>>& readings() {
+  static const std::map<std::string, Reading, std::less<>> all{
+      {"scene",
+       [](const Json& m) -> ClientMessage {
+         return SceneMessage{stamp_of(m), m.at("scene"), m.at("replace").get<bool>()};
+       }},
+      {"viewport",
+       [](const Json& m) -> ClientMessage {
+         return ViewportMessage{stamp_of(m), width_of(m), height_of(m)};
+       }},
+      {"drag_lens",
+       [](const Json& m) -> ClientMessage {
+         return DragLensMessage{stamp_of(m), position_of(m)};
+       }},
+      {"pick",
+       [](const Json& m) -> ClientMessage {
+         return PickMessage{request_of(m), position_of(m)};
+       }},
+      {"cancel_load", [](const Json&) -> ClientMessage { return CancelLoadMessage{}; }},
+      {"ack",
+       [](const Json& m) -> ClientMessage {
+         return AckMessage{m.at("frame").get<std::uint32_t>()};
+       }},
+      {"save_still",
+       [](const Json& m) -> ClientMessage {
+         return SaveStillMessage{request_of(m), width_of(m), height_of(m)};
+       }},
+  };
+  return all;
+}
+
+std::optional<std::uint32_t> counter(const Json& message, const char* key) {
+  if (!message.is_object()) return {};
+  const auto field = message.find(key);
+  if (field == message.end() || !field->is_number_integer()) return {};
+  const auto value = field->get<std::int64_t>();
+  if (value < 0 || value > std::int64_t{UINT32_MAX}) return {};
+  return static_cast<std::uint32_t>(value);
+}
+
+}  // namespace
+
+ClientMessage parse_client_message(std::string_view text) {
+  const Json message = parse_json(text);
+  validate(message, "client-message");
+  const auto& type = message.at("type").get_ref<const std::string&>();
+  return readings().at(type)(with_defaults(message, "client-message"));
+}
+
+Error binary_message_error() {
+  return Error({.code = "not-text", .message = "a binary message", .expected = "JSON text"});
+}
+
+MessageEcho echo_of(std::string_view text) {
+  try {
+    const Json message = parse_json(text);
+    return {counter(message, "input"), counter(message, "request")};
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+MessageEcho echo_of(const ClientMessage& message) {
+  return std::visit(
+      [](const auto& content) -> MessageEcho {
+        if constexpr (requires { content.stamp; })
+          return {.input = content.stamp.input};
+        else if constexpr (requires { content.request; })
+          return {.request = content.request};
+        else
+          return {};
+      },
+      message);
+}
+
+}  // namespace cutaway

@@ -1,0 +1,79 @@
+// What a client sends, as values; protocol/schema/client-message.schema.json says what each field
+// may hold.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string_view>
+#include <variant>
+
+#include "core/error.h"
+#include "scene/json.h"
+
+namespace cutaway {
+
+/// Which input of the client's this is, and when it happened by the client's own clock.
+struct InputStamp {
+  std::uint32_t input = 0;
+  double clock_ms = 0.0;
+};
+
+struct SceneMessage {
+  InputStamp stamp;
+  Json scene;  ///< a merge patch, not checked yet: patch_scene_document does
+  bool replace = false;
+};
+
+struct ViewportMessage {
+  InputStamp stamp;
+  int width_px = 0;
+  int height_px = 0;
+};
+
+struct DragLensMessage {
+  InputStamp stamp;
+  glm::dvec2 position_px{0.0};
+};
+
+struct PickMessage {
+  std::uint32_t request = 0;
+  glm::dvec2 position_px{0.0};
+};
+
+struct CancelLoadMessage {};
+
+struct AckMessage {
+  std::uint32_t frame = 0;
+};
+
+struct SaveStillMessage {
+  std::uint32_t request = 0;
+  int width_px = 0;
+  int height_px = 0;
+};
+
+using ClientMessage = std::variant<SceneMessage, ViewportMessage, DragLensMessage, PickMessage,
+                                   CancelLoadMessage, AckMessage, SaveStillMessage>;
+
+/// Throws Error: malformed-json, not-finite, unknown-message, unknown-field, missing-field,
+/// wrong-type, out-of-range.
+ClientMessage parse_client_message(std::string_view text);
+
+/// The error for a binary message from a client.
+Error binary_message_error();
+
+/// What an answer repeats of the message it answers.
+struct MessageEcho {
+  std::optional<std::uint32_t> input = {};
+  std::optional<std::uint32_t> request = {};
+};
+
+/// For the answer to a message that was refused: whatever of it can still be read. Never throws for
+/// the content.
+MessageEcho echo_of(std::string_view text);
+
+/// For the answer to a message that was understood and then refused.
+MessageEcho echo_of(const ClientMessage& message);
+
+}  // namespace cutaway

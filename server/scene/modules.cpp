@@ -1,0 +1,79 @@
+#include "scene/modules.h"
+
+#include <string>
+
+#include "scene/embedded.h"
+#include "scene/schema.h"
+
+namespace cutaway {
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+std::string type_of(const Json& parameter) {
+  if (parameter.value("x-kind", "") == "colour") return "colour";
+  if (parameter.contains("enum")) return "choice";
+  return parameter.at("type").get<std::string>();
+}
+
+Json describe_parameter(const std::string& name, const Json& parameter) {
+  Json description{{"name", name},
+                   {"title", parameter.at("title")},
+                   {"description", parameter.at("description")},
+                   {"type", type_of(parameter)},
+                   {"default", parameter.at("default")},
+                   {"level", parameter.at("x-level")}};
+  for (const auto& [from, to] : {std::pair{"minimum", "minimum"},
+                                 {"maximum", "maximum"},
+                                 {"x-step", "step"},
+                                 {"x-unit", "unit"},
+                                 {"enum", "choices"}})
+    if (parameter.contains(from)) description[to] = parameter.at(from);
+  return description;
+}
+
+/// `ordered` is the module as it stands in the file: Json sorts its fields, and people want the
+/// author's order.
+Json describe_module(const Json& module, const OrderedJson& ordered) {
+  Json parameters = Json::array();
+  for (const auto& [name, ignored] : ordered.at("properties").items())
+    if (name != "name")
+      parameters.push_back(describe_parameter(name, module.at("properties").at(name)));
+  return {{"name", module.at("properties").at("name").at("const")},
+          {"title", module.at("title")},
+          {"description", module.at("description")},
+          {"parameters", std::move(parameters)}};
+}
+
+Json describe_kind(const char* pointer_in_scene, const OrderedJson& ordered) {
+  Json modules = Json::array();
+  for (const Json& module : schema("scene").at(Json::json_pointer(pointer_in_scene)).at("oneOf")) {
+    const auto& name = module.at("properties").at("name").at("const").get_ref<const std::string&>();
+    modules.push_back(describe_module(module, ordered.at(name)));
+  }
+  return modules;
+}
+
+OrderedJson ordered_definitions() {
+  for (const EmbeddedFile& file : embedded_schemas())
+    if (file.name == "modules.schema.json") return OrderedJson::parse(file.text).at("definitions");
+  throw std::out_of_range("modules.schema.json is not embedded");
+}
+
+}  // namespace
+
+const Json& describe_modules() {
+  static const Json description = [] {
+    const OrderedJson ordered = ordered_definitions();
+    return Json{
+        {"shading", describe_kind("/properties/focus/properties/shading", ordered.at("shading"))},
+        {"filter",
+         describe_kind("/properties/focus/properties/filters/items", ordered.at("filter"))},
+        {"lens_shape",
+         describe_kind("/properties/lens/properties/shape", ordered.at("lens_shape"))}};
+  }();
+  return description;
+}
+
+}  // namespace cutaway

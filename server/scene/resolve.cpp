@@ -1,0 +1,125 @@
+#include "scene/resolve.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "scene/json_text.h"
+#include "scene/scene_json.h"
+#include "scene/schema.h"
+#include "scene/volume_choices.h"
+
+namespace cutaway {
+
+namespace {
+
+constexpr double kSmallestLength = 1e-9;
+constexpr double kSmallestDistance_mm = 1e-6;
+
+[[noreturn]] void refuse(const char* field, const char* message, const char* expected,
+                         const Json& received) {
+  throw Error({.code = "invalid-scene",
+               .message = message,
+               .field = field,
+               .expected = expected,
+               .received = json_text(received)});
+}
+
+void check_camera(const Camera& camera) {
+  const glm::dvec3 view = camera.target_mm - camera.eye_mm;
+  if (glm::length(view) < kSmallestDistance_mm)
+    refuse("/camera/eye_mm", "the eye is at the target", "two points that differ",
+           vector_json(camera.eye_mm));
+  if (glm::length(camera.up) < kSmallestLength)
+    refuse("/camera/up", "up has no length", "a direction", vector_json(camera.up));
+  constexpr double kNearlyParallel = 1e-6;
+  const glm::dvec3 across = glm::cross(glm::normalize(view), glm::normalize(camera.up));
+  if (glm::length(across) < kNearlyParallel)
+    refuse("/camera/up", "up runs along the view", "a direction across the view",
+           vector_json(camera.up));
+}
+
+template <typename Choose>
+glm::dvec3 vector_or(const Json& object, const char* key, const Choose& choose) {
+  return object.contains(key) ? vector_from(object.at(key)) : choose();
+}
+
+Camera resolve_camera(const Json& document, const VolumeFacts& volume, Viewport viewport) {
+  Camera camera;
+  camera.projection = document.at("projection").get<Projection>();
+  camera.vertical_fov_degrees = document.at("vertical_fov_degrees").get<double>();
+  camera.view_height_mm = document.contains("view_height_mm")
+                              ? document.at("view_height_mm").get<double>()
+                              : chosen_view_height_mm(volume, viewport);
+  camera.target_mm = vector_or(document, "target_mm", [&] { return volume_centre_mm(volume); });
+  camera.eye_mm = vector_or(document, "eye_mm", [&] {
+    return chosen_eye_mm(volume, viewport, camera.target_mm, camera.vertical_fov_degrees);
+  });
+  camera.up =
+      vector_or(document, "up", [&] { return chosen_up(camera.target_mm - camera.eye_mm); });
+  check_camera(camera);
+  return camera;
+}
+
+double iso_value_of(const Json& branch, double chosen) {
+  const Json& surface = branch.at("surface");
+  if (surface.contains("iso_value")) return surface.at("iso_value").get<double>();
+  const NumberRange range =
+      number_range("scene", "/properties/focus/properties/surface/properties/iso_value");
+  return std::clamp(chosen, range.minimum, range.maximum);
+}
+
+Branch resolve_branch(const Json& document, double chosen_iso_value) {
+  Branch branch;
+  branch.iso_value = iso_value_of(document, chosen_iso_value);
+  branch.shading = module_from(document.at("shading"));
+  for (const Json& filter : document.at("filters")) branch.filters.push_back(module_from(filter));
+  return branch;
+}
+
+Lens resolve_lens(const Json& document, const VolumeFacts& volume, const Scene& scene) {
+  Lens lens;
+  lens.mode = document.at("mode").get<LensMode>();
+  lens.shape = module_from(document.at("shape"));
+  lens.cap = document.at("cap").get<LensCap>();
+  lens.centre_mm = vector_or(document, "centre_mm", [&] {
+    return chosen_lens_centre_mm(volume, scene.camera, scene.viewport, scene.context.iso_value);
+  });
+  lens.radius_mm = document.contains("radius_mm") ? document.at("radius_mm").get<double>()
+                                                  : chosen_lens_radius_mm(volume);
+  return lens;
+}
+
+Light resolve_light(const Json& document) {
+  const Light light{document.at("frame").get<LightFrame>(), vector_from(document.at("direction"))};
+  if (glm::length(light.direction) < kSmallestLength)
+    refuse("/light/direction", "the light has no direction", "a direction",
+           vector_json(light.direction));
+  return light;
+}
+
+}  // namespace
+
+void validate_scene_document(const Json& document) { validate(document, "scene"); }
+
+Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport viewport) {
+  validate_scene_document(document);
+  const Json complete = with_defaults(document, "scene");
+  Scene scene;
+  scene.volume = complete.value("volume", volume.id);
+  scene.viewport = viewport;
+  scene.camera = resolve_camera(complete.at("camera"), volume, viewport);
+  scene.focus = resolve_branch(complete.at("focus"), volume.inner_iso_value);
+  scene.context = resolve_branch(complete.at("context"), volume.outer_iso_value);
+  scene.lens = resolve_lens(complete.at("lens"), volume, scene);
+  scene.light = resolve_light(complete.at("light"));
+  scene.background.colour = vector_from(complete.at("background").at("colour"));
+  return scene;
+}
+
+Viewport document_viewport(const Json& document) {
+  validate_scene_document(document);
+  const Json viewport = with_defaults(document, "scene").at("viewport");
+  return {viewport.at("width_px").get<int>(), viewport.at("height_px").get<int>()};
+}
+
+}  // namespace cutaway

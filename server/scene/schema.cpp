@@ -1,0 +1,134 @@
+#include "scene/schema.h"
+
+#include <map>
+
+#include "core/error.h"
+#include "scene/embedded.h"
+#include "scene/schema_judge.h"
+#include "scene/schema_node.h"
+#include "scene/schema_violation.h"
+
+namespace cutaway {
+
+namespace {
+
+constexpr std::string_view kFileEnding = ".schema.json";
+
+std::string name_of(std::string_view file) {
+  return std::string(file.substr(0, file.rfind(kFileEnding)));
+}
+
+using Documents = std::map<std::string, Json, std::less<>>;
+
+Documents read_documents() {
+  Documents documents;
+  for (const EmbeddedFile& file : embedded_schemas())
+    documents.emplace(name_of(file.name), Json::parse(file.text));
+  return documents;
+}
+
+/// Replaces each $ref by what it names; the annotations next to it (title, description, default)
+/// win.
+class Inliner {
+ public:
+  explicit Inliner(const Documents& documents) : documents_(documents) {}
+
+  Json inlined(const Json& node, const std::string& document) const {
+    if (node.is_array()) {
+      Json result = Json::array();
+      for (const Json& entry : node) result.push_back(inlined(entry, document));
+      return result;
+    }
+    return node.is_object() ? inlined_object(node, document) : node;
+  }
+
+ private:
+  Json inlined_object(const Json& node, const std::string& document) const {
+    Json result = node.contains("$ref") ? target(node.at("$ref").get<std::string>(), document)
+                                        : Json::object();
+    for (const auto& [key, value] : node.items())
+      if (key != "$ref" && key != "$id" && key != "$schema" && key != "definitions")
+        result[key] = inlined(value, document);
+    return result;
+  }
+
+  Json target(const std::string& reference, const std::string& document) const {
+    const std::size_t hash = std::min(reference.find('#'), reference.size());
+    const std::string other = hash == 0 ? document : name_of(reference.substr(0, hash));
+    const std::string pointer = hash < reference.size() ? reference.substr(hash + 1) : "";
+    return inlined(documents_.at(other).at(Json::json_pointer(pointer)), other);
+  }
+
+  const Documents& documents_;
+};
+
+struct CompiledSchema {
+  Json schema;
+  SchemaJudge judge;
+};
+
+const CompiledSchema& compiled(std::string_view name) {
+  static const auto all = [] {
+    const Documents documents = read_documents();
+    const Inliner inliner(documents);
+    std::map<std::string, CompiledSchema, std::less<>> result;
+    for (const auto& [key, document] : documents) {
+      Json inlined = inliner.inlined(document, key);
+      SchemaJudge judge(inlined);
+      result.emplace(key, CompiledSchema{std::move(inlined), std::move(judge)});
+    }
+    return result;
+  }();
+  const auto found = all.find(name);
+  if (found == all.end()) throw std::out_of_range("no schema " + std::string(name));
+  return found->second;
+}
+
+void fill(const Json& node, Json& value);
+
+void fill_object(const Json& node, Json& value) {
+  if (!node.contains("properties")) return;
+  for (const auto& [key, field] : node.at("properties").items()) {
+    const auto found = value.find(key);
+    Json content = found != value.end() ? std::move(*found) : field.value("default", Json());
+    if (content.is_null() && field.value("type", Json()) == "object") content = Json::object();
+    if (content.is_null()) continue;
+    fill(field, content);
+    value[key] = std::move(content);
+  }
+}
+
+void fill(const Json& node, Json& value) {
+  if (node.contains("oneOf")) {
+    if (const Json* branch = chosen_branch(node, value)) fill_object(*branch, value);
+  } else if (value.is_object()) {
+    fill_object(node, value);
+  } else if (value.is_array() && node.contains("items")) {
+    for (Json& entry : value) fill(node.at("items"), entry);
+  }
+}
+
+}  // namespace
+
+const Json& schema(std::string_view name) { return compiled(name).schema; }
+
+void validate(const Json& value, std::string_view schema_name) {
+  const CompiledSchema& rules = compiled(schema_name);
+  if (auto violation = first_violation(rules.schema, value, "")) throw Error(*violation);
+  // The standard has the last word, should a schema use what first_violation does not know.
+  if (!rules.judge.accepts(value))
+    throw Error({.code = "wrong-type",
+                 .message = "does not follow " + std::string(schema_name) + ".schema.json"});
+}
+
+Json with_defaults(Json value, std::string_view schema_name) {
+  fill(schema(schema_name), value);
+  return value;
+}
+
+NumberRange number_range(std::string_view schema_name, const std::string& pointer) {
+  const Json& node = schema(schema_name).at(Json::json_pointer(pointer));
+  return {node.at("minimum").get<double>(), node.at("maximum").get<double>()};
+}
+
+}  // namespace cutaway

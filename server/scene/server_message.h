@@ -1,0 +1,58 @@
+// What the server sends as text: builders of the messages that protocol/README.md lists. Send them
+// as json_text().
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/error.h"
+#include "core/progress.h"
+#include "scene/client_message.h"
+#include "scene/scene.h"
+
+namespace cutaway {
+
+inline constexpr const char* kSubprotocol = "cutaway.v1";
+
+/// What a client is told not to go beyond.
+struct WireLimits {
+  std::int64_t message_bytes = 64 * 1024;
+  std::int64_t viewport_pixels = 4096LL * 4096;
+  int viewport_side_px = 8192;
+  int frames_in_flight = 2;
+};
+
+struct ServerDescription {
+  std::string server;    ///< name and version
+  std::string renderer;  ///< for people
+  bool software_renderer = false;
+  WireLimits limits;
+  std::string notice;
+};
+
+/// With the modules of the schemas and the styles that the program carries.
+Json capabilities_message(const ServerDescription& description);
+
+/// `listing` is {"volumes": [...], "refused": [...]}.
+Json volumes_message(const Json& listing);
+
+enum class LoadEnd { ready, cancelled, failed };
+Json loading_message(const std::string& volume, LoadStage stage, double fraction);
+Json loading_message(const std::string& volume, LoadEnd end);
+
+/// `volume` is the summary of the open volume.
+Json scene_message(std::uint32_t revision, const Scene& scene, const Json& volume);
+
+enum class PickedBranch { focus, context };
+struct PickedPoint {
+  glm::dvec3 position_mm{0.0};
+  double value = 0.0;
+  std::string units;
+  PickedBranch branch = PickedBranch::focus;
+};
+Json picked_message(std::uint32_t request, const std::optional<PickedPoint>& point);
+
+Json error_message(const Error& error, const MessageEcho& echo = {});
+
+}  // namespace cutaway

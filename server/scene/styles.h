@@ -1,0 +1,27 @@
+// The named styles of server/styles, which travel inside the program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/json.h"
+
+namespace cutaway {
+
+struct Style {
+  std::string name;
+  std::string title;
+  std::string description;
+  Json scene;  ///< partial; its modules have every parameter, so merging one style replaces another
+};
+
+/// The flagship first, the rest by title. Thread-safe.
+const std::vector<Style>& styles();
+
+/// Throws Error unknown-style with the names that there are.
+const Style& style(const std::string& name);
+
+/// The `styles` part of `capabilities`.
+Json describe_styles();
+
+}  // namespace cutaway

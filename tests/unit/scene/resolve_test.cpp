@@ -1,0 +1,133 @@
+#include "scene/resolve.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "scene/view_geometry.h"
+#include "unit/scene/sphere_facts.h"
+
+namespace cutaway {
+namespace {
+
+Scene resolved(const char* text, Viewport viewport = {640, 480}) {
+  return resolve_scene(Json::parse(text), ball_facts(), viewport);
+}
+
+/// The box's corners in the picture, as fractions of the viewport: 1 is its edge.
+glm::dvec2 farthest_corner(const Scene& scene, const VolumeFacts& facts) {
+  glm::dvec2 farthest{0.0};
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::dvec3 point = facts.bounds_minimum_mm;
+    for (int axis = 0; axis < 3; ++axis)
+      if ((corner >> axis) & 1) point[axis] = facts.bounds_maximum_mm[axis];
+    const glm::dvec2 middle{0.5 * scene.viewport.width_px, 0.5 * scene.viewport.height_px};
+    const auto pixel = project_px(scene.camera, scene.viewport, point);
+    if (!pixel) return glm::dvec2(INFINITY);
+    farthest = glm::max(farthest, glm::abs(*pixel - middle) / middle);
+  }
+  return farthest;
+}
+
+TEST(Resolve, FramesTheVolumeFromTheFrontInAnyAspect) {
+  for (const Viewport viewport : {Viewport{640, 480}, {1000, 200}, {200, 1000}, {1, 1}}) {
+    for (const char* document : {"{}", R"({"camera": {"projection": "orthographic"}})",
+                                 R"({"camera": {"vertical_fov_degrees": 90}})"}) {
+      const Scene scene = resolved(document, viewport);
+      const glm::dvec2 farthest = farthest_corner(scene, ball_facts());
+      EXPECT_NEAR(std::max(farthest.x, farthest.y), 1.0 / 1.05, 1e-9) << document;
+      EXPECT_EQ(scene.camera.target_mm, kBallCentre_mm);
+      EXPECT_LT(scene.camera.eye_mm.y, ball_facts().bounds_minimum_mm.y);
+    }
+  }
+}
+
+TEST(Resolve, PutsTheLensOnTheSurfaceInTheMiddleOfTheView) {
+  const Scene front = resolved("{}");
+  const glm::dvec3 nearest = kBallCentre_mm - glm::dvec3(0.0, kBallRadius_mm, 0.0);
+  EXPECT_LT(glm::distance(front.lens.centre_mm, nearest), 1e-9);
+  EXPECT_DOUBLE_EQ(front.lens.radius_mm, 0.2 * ball_facts().diagonal_mm);
+
+  const Scene above = resolved(R"({"camera": {"eye_mm": [10, -20, 900]}})");
+  EXPECT_LT(glm::distance(above.lens.centre_mm, kBallCentre_mm + glm::dvec3(0, 0, kBallRadius_mm)),
+            1e-9);
+}
+
+TEST(Resolve, PutsTheLensInTheVolumeWhereTheViewMissesTheSurface) {
+  const Scene scene = resolved(R"({"camera": {"target_mm": [900, 900, 900]}})");
+  EXPECT_EQ(scene.lens.centre_mm, kBallCentre_mm);
+}
+
+TEST(Resolve, TakesIsoValuesOfTheVolume) {
+  const Scene scene = resolved("{}");
+  EXPECT_EQ(scene.focus.iso_value, 250.0);
+  EXPECT_EQ(scene.context.iso_value, -200.0);
+}
+
+TEST(Resolve, TakesWhatTheDocumentSays) {
+  const Scene scene =
+      resolved(R"({"volume": "other", "camera": {"eye_mm": [1, 2, 3], "up": [1, 0, 0]},
+      "context": {"surface": {"iso_value": 7}}, "lens": {"centre_mm": [4, 5, 6], "radius_mm": 0}})");
+  EXPECT_EQ(scene.volume, "other");
+  EXPECT_EQ(scene.camera.eye_mm, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(scene.camera.up, glm::dvec3(1, 0, 0));
+  EXPECT_EQ(scene.context.iso_value, 7.0);
+  EXPECT_EQ(scene.lens.centre_mm, glm::dvec3(4, 5, 6));
+  EXPECT_EQ(scene.lens.radius_mm, 0.0);
+}
+
+TEST(Resolve, FillsEveryParameterOfAModule) {
+  const Scene scene = resolved(R"({"focus": {"shading": {"name": "phong", "exponent": 7}}})");
+  EXPECT_EQ(scene.focus.shading.parameters, Json::parse(R"({"model": "phong",
+      "colour": [0.86, 0.81, 0.73], "ambient": 0.15, "diffuse": 0.75, "specular": 0.25, "exponent": 7})"));
+  ASSERT_EQ(scene.context.filters.size(), 1U);
+  EXPECT_EQ(scene.context.filters[0].name, "kuwahara");
+  EXPECT_EQ(scene.context.filters[0].parameters, Json::parse(R"({"radius": 2})"));
+}
+
+TEST(Resolve, ChoosesAnUpThatIsNotTheView) {
+  const Scene scene = resolved(R"({"camera": {"eye_mm": [0, 0, 500], "target_mm": [0, 0, 0]}})");
+  EXPECT_EQ(scene.camera.up, glm::dvec3(0, -1, 0));
+}
+
+TEST(Resolve, OfItsOwnDocumentGivesTheSameScene) {
+  for (const char* document :
+       {"{}", R"({"camera": {"projection": "orthographic", "eye_mm": [0.1, -333.3, 1e-7]}})",
+        R"({"lens": {"mode": "none", "cap": "open"}, "light": {"frame": "patient"}})",
+        R"({"context": {"shading": {"name": "phong", "model": "blinn"}, "filters": []}})"}) {
+    const Scene scene = resolved(document);
+    const Json complete = scene_document(scene);
+    EXPECT_EQ(resolve_scene(complete, ball_facts(), scene.viewport), scene) << document;
+    EXPECT_EQ(resolve_scene(Json::parse(complete.dump()), ball_facts(), scene.viewport), scene);
+  }
+}
+
+TEST(Resolve, LeavesTheLensWhereItIsWhileTheCameraMoves) {
+  const Scene first = resolved("{}");
+  const Json moved =
+      patch_scene_document(scene_document(first), {{"camera", {{"eye_mm", {500, 0, 0}}}}});
+  EXPECT_EQ(resolve_scene(moved, ball_facts(), first.viewport).lens, first.lens);
+}
+
+TEST(Resolve, OfAVolumeBeyondTheLimitsIsStillALegalDocument) {
+  VolumeFacts facts = ball_facts();
+  facts.bounds_minimum_mm = glm::dvec3(-9e4);
+  facts.bounds_maximum_mm = glm::dvec3(9e4);
+  facts.diagonal_mm = 3e5;
+  facts.outer_iso_value = -1e30;
+  facts.inner_iso_value = 1e30;
+  const Scene scene = resolve_scene({{"camera", {{"vertical_fov_degrees", 1}}}}, facts, {64, 64});
+  EXPECT_NO_THROW(validate_scene_document(scene_document(scene)));
+}
+
+TEST(Resolve, ReadsThePictureSizeOfADocument) {
+  EXPECT_EQ(document_viewport(Json::object()), (Viewport{1024, 768}));
+  EXPECT_EQ(document_viewport(Json::parse(R"({"viewport": {"width_px": 300}})")),
+            (Viewport{300, 768}));
+}
+
+TEST(Resolve, WorksBeforeTheViewportIsKnown) {
+  EXPECT_EQ(resolved("{}", {0, 0}).camera, resolved("{}", {100, 100}).camera);
+}
+
+}  // namespace
+}  // namespace cutaway

@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/error.h"
+#include "scene/resolve.h"
+#include "scene/schema.h"
+#include "scene/styles.h"
+#include "unit/scene/sphere_facts.h"
+
+namespace cutaway {
+namespace {
+
+Scene look(const Json& document) { return resolve_scene(document, ball_facts(), {640, 480}); }
+
+/// Every field that a scene says, modules as one.
+void collect_fields(const Json& value, const std::string& pointer, std::set<std::string>& fields) {
+  if (!value.is_object() || value.contains("name")) {
+    fields.insert(pointer);
+    return;
+  }
+  for (const auto& [key, field] : value.items()) collect_fields(field, pointer + "/" + key, fields);
+}
+
+std::set<std::string> fields_of(const Style& style) {
+  std::set<std::string> fields;
+  collect_fields(style.scene, "", fields);
+  return fields;
+}
+
+TEST(Styles, FollowTheSchemaAndResolve) {
+  EXPECT_GE(styles().size(), 6U);
+  for (const Json& style : describe_styles()) {
+    EXPECT_NO_THROW(validate(style, "style")) << style.at("name");
+    EXPECT_NO_THROW(look(style.at("scene"))) << style.at("name");
+  }
+}
+
+TEST(Styles, BeginWithTheFlagshipWhichIsTheDefaultLook) {
+  EXPECT_EQ(styles().front().name, "flagship");
+  EXPECT_EQ(look(styles().front().scene), look(Json::object()));
+}
+
+TEST(Styles, HaveNamesOfTheirOwn) {
+  std::set<std::string> names;
+  for (const Style& style : styles()) EXPECT_TRUE(names.insert(style.name).second) << style.name;
+}
+
+TEST(Styles, SaysNothingOfVolumeCameraOrPlace) {
+  for (const Style& style : styles())
+    for (const char* field : {"/volume", "/camera", "/viewport", "/lens/centre_mm",
+                              "/lens/radius_mm", "/focus/surface", "/context/surface"})
+      EXPECT_FALSE(style.scene.contains(Json::json_pointer(field))) << style.name << field;
+}
+
+TEST(Styles, ReplaceEachOther) {
+  for (const Style& one : styles()) {
+    EXPECT_EQ(fields_of(one), fields_of(styles().front())) << one.name;
+    for (const Style& other : styles())
+      EXPECT_EQ(look(patch_scene_document(one.scene, other.scene)), look(other.scene))
+          << one.name << " then " << other.name;
+  }
+}
+
+TEST(Styles, AreFoundByName) {
+  EXPECT_EQ(style("toon").title, "Toon");
+  try {
+    style("watercolour");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.detail().code, "unknown-style");
+    EXPECT_NE(error.detail().expected.find("flagship"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace cutaway
