@@ -1,0 +1,128 @@
+// GPU pictures against the CPU reference: every geometry a file can have, both projections, each
+// lens cap.
+#include <gtest/gtest.h>
+
+#include "support/analytic_volumes.h"
+#include "support/gpu_harness.h"
+#include "volume/phantoms.h"
+
+namespace cutaway::test {
+namespace {
+
+constexpr Viewport kViewport{160, 120};
+
+// The styles' tone ramps are continuous except at the toon's step, and Kuwahara chooses among
+// windows: where a value lies within float rounding of such a decision, the GPU may fall to the
+// other side. Elsewhere both agree to rounding.
+constexpr Tolerance kWholePicture{.mean = 0.1, .share_above_2 = 0.002, .maximum = 64};
+
+Json flagship() {
+  return Json::parse(R"({
+    "focus": {"shading": {"name": "tone", "detail": 1}, "filters": [{"name": "sobel"}]},
+    "context": {"shading": {"name": "tone", "detail": 0, "dark": [0.62, 0.5, 0.44], "light": [0.74, 0.61, 0.54]},
+                "filters": [{"name": "kuwahara"}]},
+    "lens": {"centre_mm": [-10, -40, 5], "radius_mm": 28}})");
+}
+
+/// The lens where the defaults put it: on the volume's own front.
+Json flagship_placed_by_default() {
+  Json document = flagship();
+  document.erase("lens");
+  return document;
+}
+
+struct Grid {
+  const char* name;
+  glm::dvec3 spacing_mm;
+  glm::dmat3 direction;
+};
+
+class EveryGeometry : public testing::TestWithParam<Grid> {};
+
+TEST_P(EveryGeometry, LooksLikeTheReference) {
+  const Grid& grid = GetParam();
+  const glm::ivec3 size(100.0 / grid.spacing_mm);
+  const auto volume = load(shells_volume(centred_geometry(size, grid.spacing_mm, grid.direction)));
+  const Scene scene = scene_for(flagship(), volume, kViewport);
+  expect_like_reference(std::string("geometry-") + grid.name, scene, volume, settings_for(scene),
+                        kWholePicture);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Reference, EveryGeometry,
+    testing::Values(Grid{"isotropic", glm::dvec3(1.0), glm::dmat3(1.0)},
+                    Grid{"anisotropic", kAnisotropicSpacingMm, glm::dmat3(1.0)},
+                    Grid{"oblique", glm::dvec3(1.0), oblique_direction()},
+                    Grid{"flipped", glm::dvec3(1.0), flipped_direction()},
+                    Grid{"anisotropic_oblique", kAnisotropicSpacingMm, oblique_direction()},
+                    Grid{"anisotropic_flipped", kAnisotropicSpacingMm, flipped_direction()}),
+    [](const auto& parameter) { return parameter.param.name; });
+
+class EveryPhantom : public testing::TestWithParam<PhantomKind> {};
+
+TEST_P(EveryPhantom, LooksLikeTheReference) {
+  const auto volume = load(make_phantom({GetParam(), 64}, {}, {}));
+  const Scene scene = scene_for(flagship_placed_by_default(), volume, kViewport);
+  expect_like_reference("phantom-" + std::to_string(static_cast<int>(GetParam())), scene, volume,
+                        settings_for(scene), kWholePicture);
+}
+
+INSTANTIATE_TEST_SUITE_P(Reference, EveryPhantom,
+                         testing::Values(PhantomKind::head, PhantomKind::abdomen,
+                                         PhantomKind::knees));
+
+TEST(Reference, OrthographicViewFromTheSideWithEachCap) {
+  const auto volume = load(shells_volume(centred_geometry({90, 90, 45}, {1.0, 1.0, 2.0})));
+  for (const char* cap : {"flat", "gradient", "open"}) {
+    Json document = flagship();
+    document["lens"]["cap"] = cap;
+    document["lens"]["centre_mm"] = {25, 0, 10};
+    document["camera"] = {{"projection", "orthographic"},
+                          {"eye_mm", {300, 40, 20}},
+                          {"target_mm", {0, 0, 0}},
+                          {"up", {0, 0.2, 1}},
+                          {"view_height_mm", 100}};
+    const Scene scene = scene_for(document, volume, kViewport);
+    expect_like_reference(std::string("cap-") + cap, scene, volume, settings_for(scene),
+                          kWholePicture);
+  }
+}
+
+TEST(Reference, EyeInsideTheBoneAndInsideTheLens) {
+  const auto volume = load(shells_volume(centred_geometry({90, 90, 90}, glm::dvec3(1.0))));
+  for (const double y : {-15.0, -35.0, -44.0}) {
+    Json document = flagship();
+    document["camera"] = {{"eye_mm", {0, y, 0}},
+                          {"target_mm", {3, 60, 2}},
+                          {"up", {0, 0, 1}},
+                          {"vertical_fov_degrees", 90}};
+    const Scene scene = scene_for(document, volume, kViewport);
+    expect_like_reference("eye-at-" + std::to_string(static_cast<int>(y)), scene, volume,
+                          settings_for(scene), kWholePicture);
+  }
+}
+
+TEST(Reference, TissueThatTheBoxCutsShowsAFlatFace) {
+  const auto volume = load(sphere_volume(centred_geometry({60, 40, 60}, glm::dvec3(1.0)), 40.0));
+  Json document = flagship();
+  document["context"]["surface"]["iso_value"] = 5.0;
+  document["focus"]["surface"]["iso_value"] = 15.0;
+  document["camera"] = {{"eye_mm", {60, -200, 50}}, {"target_mm", {0, 0, 0}}, {"up", {0, 0, 1}}};
+  const Scene scene = scene_for(document, volume, kViewport);
+  expect_like_reference("box-face", scene, volume, settings_for(scene), kWholePicture);
+}
+
+TEST(Reference, SupersampledStillAndReducedPicture) {
+  const auto volume = load(make_phantom({PhantomKind::head, 64}, {}, {}));
+  const Scene scene = scene_for(flagship(), volume, kViewport);
+  RenderSettings still = settings_for(scene);
+  still.supersampling = 2;
+  expect_like_reference("supersampled", scene, volume, still, kWholePicture);
+  RenderSettings reduced = settings_for(scene);
+  reduced.resolution_scale = 0.5;
+  reduced.picture_size_px /= 2;
+  expect_like_reference("reduced", scene, volume, reduced, kWholePicture);
+}
+
+}  // namespace
+}  // namespace cutaway::test
