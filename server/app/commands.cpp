@@ -1,0 +1,45 @@
+#include "app/commands.h"
+
+#include <memory>
+
+#include "app/render_command.h"
+
+namespace cutaway {
+
+namespace {
+
+/// "WIDTHxHEIGHT" in pixels.
+bool parse_size(const std::vector<std::string>& words, std::optional<Viewport>& size) {
+  Viewport parsed;
+  char rest = 0;
+  if (std::sscanf(words.at(0).c_str(), "%dx%d%c", &parsed.width_px, &parsed.height_px, &rest) != 2)
+    return false;
+  size = parsed;
+  return true;
+}
+
+void add_render(CLI::App& app) {
+  const auto command = std::make_shared<RenderCommand>();
+  CLI::App* render =
+      app.add_subcommand("render", "Renders one picture of a scene or style document");
+  render->add_option("scene", command->scene_path, "Scene or style document (JSON)")->required();
+  render->add_option("-o,--output", command->output_path, "PNG to write")->required();
+  render->add_option("--volume", command->volume,
+                     "phantom:NAME[@SIZE], a file or a folder; PATH#ID for one of several");
+  render
+      ->add_option(
+          "--size", [command](const auto& words) { return parse_size(words, command->size); },
+          "Picture size in pixels")
+      ->type_name("WIDTHxHEIGHT");
+  render->add_option("--supersampling", command->supersampling, "Rays a pixel each way")
+      ->check(CLI::Range(1, 4))
+      ->capture_default_str();
+  render->add_flag("--require-gpu", command->require_gpu, "Refuse software rendering");
+  render->callback([command] { run_render(*command); });
+}
+
+}  // namespace
+
+void add_commands(CLI::App& app) { add_render(app); }
+
+}  // namespace cutaway

@@ -1,0 +1,40 @@
+#include "app/loaded_facts.h"
+
+#include <utility>
+
+#include "volume/ray_probe.h"
+
+namespace cutaway {
+
+namespace {
+
+std::optional<glm::dvec3> first_point(const Volume& volume, const PatientRay& ray,
+                                      double iso_value) {
+  const auto limits = intersect_grid(volume.geometry, ray);
+  if (!limits) return std::nullopt;
+  const auto distance_mm = first_surface_mm(volume, ray, iso_value, *limits);
+  if (!distance_mm) return std::nullopt;
+  return ray.origin_mm + *distance_mm * ray.direction;
+}
+
+}  // namespace
+
+VolumeFacts facts_of(std::shared_ptr<const LoadedVolume> loaded) {
+  const Volume& volume = loaded->volume;
+  const BoundingBox bounds = bounds_patient_mm(volume.geometry);
+  VolumeFacts facts{.id = volume.description.id,
+                    .bounds_minimum_mm = bounds.minimum_mm,
+                    .bounds_maximum_mm = bounds.maximum_mm,
+                    .diagonal_mm = diagonal_mm(volume.geometry),
+                    .minimum_value = volume.value_range.minimum,
+                    .maximum_value = volume.value_range.maximum,
+                    .outer_iso_value = loaded->surfaces.outer_iso_value,
+                    .inner_iso_value = loaded->surfaces.inner_iso_value};
+  facts.first_surface_mm = [held = std::move(loaded)](glm::dvec3 origin_mm, glm::dvec3 direction,
+                                                      double iso_value) {
+    return first_point(held->volume, {origin_mm, direction}, iso_value);
+  };
+  return facts;
+}
+
+}  // namespace cutaway

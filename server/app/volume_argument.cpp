@@ -1,0 +1,66 @@
+#include "app/volume_argument.h"
+
+#include "volume/phantoms.h"
+
+#ifdef CUTAWAY_IMPORT
+#include "import/reader.h"
+#endif
+
+namespace cutaway {
+
+namespace {
+
+#ifdef CUTAWAY_IMPORT
+std::string ids_of(const Listing& listing) {
+  std::string ids;
+  for (const VolumeSource& source : listing.volumes)
+    ids += (ids.empty() ? "" : ", ") + source.description.id;
+  return ids;
+}
+
+[[noreturn]] void refuse(const std::string& path, const Listing& listing) {
+  if (listing.volumes.empty() && !listing.refused.empty()) {
+    const RefusedFile& first = listing.refused.front();
+    throw Error({.code = "volume-refused", .message = first.reason, .field = first.path.string()});
+  }
+  throw Error({.code = "unknown-volume",
+               .message = "no single volume is named",
+               .field = path,
+               .expected = listing.volumes.empty()
+                               ? "a volume there"
+                               : "PATH#ID with one of the ids " + ids_of(listing),
+               .received = std::to_string(listing.volumes.size()) + " volumes"});
+}
+
+Volume read_path(const std::string& argument, const ProgressSink& progress) {
+  const auto hash = argument.find('#');
+  const std::filesystem::path path = argument.substr(0, hash);
+  const std::string wanted = hash == std::string::npos ? "" : argument.substr(hash + 1);
+  const auto root =
+      std::filesystem::is_directory(path) ? path : std::filesystem::absolute(path).parent_path();
+  const Listing listing = scan_volumes(path, root, {}, {});
+  for (const VolumeSource& source : listing.volumes) {
+    const bool only_one = wanted.empty() && listing.volumes.size() == 1;
+    if (only_one || source.description.id == wanted) return read_volume(source, {}, progress, {});
+  }
+  refuse(argument, listing);
+}
+#else
+Volume read_path(const std::string& argument, const ProgressSink&) {
+  throw Error({.code = "unknown-volume",
+               .message = "this build reads no files",
+               .field = argument,
+               .expected = "a phantom: phantom:head, phantom:abdomen or phantom:knees"});
+}
+#endif
+
+}  // namespace
+
+std::shared_ptr<const LoadedVolume> load_volume_argument(const std::string& argument,
+                                                         const ProgressSink& progress) {
+  const auto phantom = parse_phantom_id(argument);
+  return derive_loaded_volume(
+      phantom ? make_phantom(*phantom, progress, {}) : read_path(argument, progress), progress, {});
+}
+
+}  // namespace cutaway

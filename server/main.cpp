@@ -1,0 +1,27 @@
+// Wiring only: the command line, and who is handed what.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "app/commands.h"
+#include "core/log.h"
+
+int main(int argc, char** argv) {
+  cutaway::log().set_pattern("%H:%M:%S.%e %^%l%$ %v");
+  CLI::App app(
+      "Renders medical volumes as focus and context illustrations. Not for diagnostic use.",
+      "cutaway");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "cutaway " CUTAWAY_VERSION);
+  cutaway::add_commands(app);
+  try {
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::ParseError& usage) {
+    // CLI11 prints help and version too, as "errors" with code 0.
+    return app.exit(usage) == 0 ? 0 : 2;
+  } catch (const std::exception& failure) {
+    std::fprintf(stderr, "cutaway: %s\n", failure.what());
+    return 1;
+  }
+}
