@@ -1,0 +1,152 @@
+#include "session/frame_flow.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/check.h"
+
+namespace cutaway {
+
+namespace {
+
+// Numbers wrap around, so "not after" is a matter of the shorter way round.
+bool at_or_before(std::uint32_t a, std::uint32_t b) {
+  return static_cast<std::int32_t>(a - b) <= 0;
+}
+
+Error never_sent(std::uint32_t frame, std::uint32_t last) {
+  return Error({.code = "out-of-range",
+                .message = "a frame that was never sent was acknowledged",
+                .field = "/frame",
+                .expected = last == 0 ? "none yet" : "at most " + std::to_string(last),
+                .received = std::to_string(frame)});
+}
+
+}  // namespace
+
+FrameFlow::FrameFlow(std::shared_ptr<Strand> strand, FrameSource& source, ClientSink& sink,
+                     std::uint64_t view, const SessionSettings& settings,
+                     std::function<void(const Error&)> failed)
+    : strand_(strand),
+      source_(source),
+      sink_(sink),
+      view_(view),
+      failed_(std::move(failed)),
+      credits_(settings.frames_in_flight),
+      pacer_(settings.rest),
+      quality_(settings),
+      alarm_(strand->make_alarm([this] { pump(); })),
+      tether_(strand) {}
+
+FrameFlow::~FrameFlow() { source_.release(view_); }
+
+void FrameFlow::show(SceneSnapshot snapshot) {
+  newest_ = std::move(snapshot);
+  pacer_.changed(strand_->now());
+  pump();
+}
+
+void FrameFlow::acknowledge(std::uint32_t frame) {
+  if (!at_or_before(frame, last_number_)) throw never_sent(frame, last_number_);
+  while (!sent_.empty() && at_or_before(sent_.front().number, frame)) {
+    const Sent sent = sent_.front();
+    if (sent.number == frame) measure(sent);
+    sent_.pop_front();
+    credits_.give_back();
+  }
+  pump();
+}
+
+void FrameFlow::measure(const Sent& sent) {
+  const Milliseconds round_trip = strand_->now() - sent.at;
+  quality_.acknowledged(sent.quality, sent.bytes, sent.bytes_in_flight, round_trip);
+  pacer_.set_interval(quality_.interval());
+}
+
+// A request that still waits takes up the newest scene even before another frame is due: it costs
+// nothing.
+void FrameFlow::pump() {
+  const TimePoint now = strand_->now();
+  const bool due = pacer_.due(now).has_value();
+  if (due || pacer_.has_change()) {
+    const FrameKind kind = pacer_.kind(now);
+    if (renew(kind) || (due && ask(kind))) pacer_.asked(kind, now);
+  }
+  const std::optional<TimePoint> next = pacer_.next_due(now);
+  if (next) {
+    alarm_->set(*next);
+  } else {
+    alarm_->clear();
+  }
+}
+
+bool FrameFlow::renew(FrameKind kind) {
+  if (asked_.empty() || !source_.renew(request(kind))) return false;
+  asked_.back().snapshot = newest_;
+  return true;
+}
+
+bool FrameFlow::ask(FrameKind kind) {
+  if (!credits_.take()) return false;
+  const std::uint64_t id = ++last_id_;
+  asked_.push_back({id, newest_});
+  source_.submit(request(kind), tether_.bind<FrameOutcome>([this, id](FrameOutcome outcome) {
+    came_back(id, std::move(outcome));
+  }));
+  return true;
+}
+
+FrameRequest FrameFlow::request(FrameKind kind) const {
+  return {.view = view_,
+          .revision = newest_.revision,
+          .scene = newest_.scene,
+          .quality = kind == FrameKind::still ? quality_.still() : quality_.interactive()};
+}
+
+void FrameFlow::came_back(std::uint64_t id, FrameOutcome outcome) {
+  const auto asked = std::ranges::find(asked_, id, &Asked::id);
+  check(asked != asked_.end(), "a frame comes back once");
+  const SceneSnapshot shown = std::move(asked->snapshot);
+  asked_.erase(asked);
+  if (auto* frame = std::get_if<Frame>(&outcome)) {
+    send(shown, std::move(*frame));
+  } else {
+    credits_.give_back();
+    if (const auto* error = std::get_if<Error>(&outcome)) fail(shown, *error);
+  }
+  pump();
+}
+
+void FrameFlow::fail(const SceneSnapshot& shown, const Error& error) {
+  if (shown.revision == newest_.revision) pacer_.give_up();
+  failed_(error);
+}
+
+void FrameFlow::send(const SceneSnapshot& shown, Frame frame) {
+  const std::chrono::microseconds cost(std::uint64_t{frame.render_us} + frame.encode_us);
+  quality_.rendered(frame.quality, cost);
+  const std::uint32_t number = ++last_number_;
+  const std::size_t bytes = frame.picture.size();
+  sent_.push_back({number, frame.quality, bytes, bytes_in_flight() + bytes, strand_->now()});
+  std::vector<std::uint8_t> message =
+      live_frame_message(number, shown.stamp, shown.scene->viewport, frame);
+  sink_.send_frame(std::move(message),
+                   tether_.bind<bool>([this, number](bool sent) { written(number, sent); }));
+}
+
+void FrameFlow::written(std::uint32_t number, bool sent) {
+  if (sent) return;
+  const auto lost = std::ranges::find(sent_, number, &Sent::number);
+  if (lost == sent_.end()) return;
+  sent_.erase(lost);
+  credits_.give_back();
+  pump();
+}
+
+std::size_t FrameFlow::bytes_in_flight() const {
+  std::size_t bytes = 0;
+  for (const Sent& sent : sent_) bytes += sent.bytes;
+  return bytes;
+}
+
+}  // namespace cutaway

@@ -1,0 +1,86 @@
+// From the newest scene to acknowledged frames: asks for frames when they are due and a credit is
+// free, sends what comes back, and learns from how long both took.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+
+#include "session/credits.h"
+#include "session/ends.h"
+#include "session/frame_message.h"
+#include "session/pacer.h"
+#include "session/quality_control.h"
+#include "session/tether.h"
+
+namespace cutaway {
+
+struct SceneSnapshot {
+  std::shared_ptr<const Scene> scene;
+  std::uint32_t revision = 0;
+  InputStamp stamp;
+};
+
+/// Lives on the session's strand.
+class FrameFlow {
+ public:
+  /// `failed` hears of each frame that could not be rendered.
+  FrameFlow(std::shared_ptr<Strand> strand, FrameSource& source, ClientSink& sink,
+            std::uint64_t view, const SessionSettings& settings,
+            std::function<void(const Error&)> failed);
+  ~FrameFlow();
+  FrameFlow(const FrameFlow&) = delete;
+  FrameFlow& operator=(const FrameFlow&) = delete;
+
+  void show(SceneSnapshot snapshot);
+  /// The newest scene has taken up another input that changed nothing in it.
+  void restamp(InputStamp stamp) { newest_.stamp = stamp; }
+  /// Returns the credits of this frame and those before it. Throws Error for a frame that was never
+  /// sent.
+  void acknowledge(std::uint32_t frame);
+
+ private:
+  /// Asked for, and not yet come back from the source.
+  struct Asked {
+    std::uint64_t id;
+    SceneSnapshot snapshot;
+  };
+  /// Sent, and not yet acknowledged.
+  struct Sent {
+    std::uint32_t number;
+    FrameQuality quality;
+    std::size_t bytes;
+    std::size_t bytes_in_flight;
+    TimePoint at;
+  };
+
+  void pump();
+  bool renew(FrameKind kind);
+  bool ask(FrameKind kind);
+  FrameRequest request(FrameKind kind) const;
+  void came_back(std::uint64_t id, FrameOutcome outcome);
+  void send(const SceneSnapshot& shown, Frame frame);
+  void written(std::uint32_t number, bool sent);
+  void fail(const SceneSnapshot& shown, const Error& error);
+  void measure(const Sent& sent);
+  std::size_t bytes_in_flight() const;
+
+  std::shared_ptr<Strand> strand_;
+  FrameSource& source_;
+  ClientSink& sink_;
+  std::uint64_t view_;
+  std::function<void(const Error&)> failed_;
+  Credits credits_;
+  Pacer pacer_;
+  QualityControl quality_;
+  SceneSnapshot newest_;
+  std::deque<Asked> asked_;
+  std::deque<Sent> sent_;
+  std::uint64_t last_id_ = 0;
+  std::uint32_t last_number_ = 0;
+  std::unique_ptr<Alarm> alarm_;
+  Tether tether_;
+};
+
+}  // namespace cutaway

@@ -1,0 +1,18 @@
+// Binary messages: a header and a picture (scene/frame_header.h has the layout).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/client_message.h"
+#include "session/ends.h"
+
+namespace cutaway {
+
+std::vector<std::uint8_t> live_frame_message(std::uint32_t number, const InputStamp& stamp,
+                                             Viewport viewport, const Frame& frame);
+
+std::vector<std::uint8_t> saved_still_message(std::uint32_t request, const InputStamp& stamp,
+                                              Viewport viewport, const Frame& frame);
+
+}  // namespace cutaway

@@ -1,0 +1,95 @@
+#include "session/pick.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace cutaway {
+
+namespace {
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+// Distances along a ray, mm.
+struct Stretch {
+  double begin = 0.0;
+  double end = kEndless;
+  PickedBranch branch = PickedBranch::context;
+  bool begins_at_lens = false;
+};
+
+// The part of the ray inside the lens. Every shape is taken for its bounding sphere.
+std::optional<Stretch> inside_lens(const Lens& lens, const ViewRay& ray) {
+  if (lens.mode == LensMode::none) return std::nullopt;
+  const glm::dvec3 from_centre = ray.origin_mm - lens.centre_mm;
+  const double along = glm::dot(from_centre, ray.direction);
+  const double discriminant =
+      (along * along) - glm::dot(from_centre, from_centre) + (lens.radius_mm * lens.radius_mm);
+  if (discriminant <= 0.0) return std::nullopt;
+  const double half = std::sqrt(discriminant);
+  if (half - along <= 0.0) return std::nullopt;
+  const double begin = std::max(0.0, -along - half);
+  return Stretch{begin, half - along, PickedBranch::focus, begin > 0.0};
+}
+
+// A cap that is left open is not seen from behind: the surface counts only where the value rises to
+// it again.
+std::optional<double> past_open_cap(const OpenVolume& volume, const ViewRay& ray, double iso_value,
+                                    const Stretch& stretch) {
+  const double step_mm = volume.facts().diagonal_mm / 1000.0;
+  const double end = std::min(stretch.end, stretch.begin + (2.0 * volume.facts().diagonal_mm));
+  for (double distance = stretch.begin; distance <= end; distance += step_mm) {
+    const auto value = volume.value_at(ray.origin_mm + (distance * ray.direction));
+    if (!value || *value < iso_value) return distance;
+  }
+  return std::nullopt;
+}
+
+double iso_value_of(const Scene& scene, PickedBranch branch) {
+  return branch == PickedBranch::focus ? scene.focus.iso_value : scene.context.iso_value;
+}
+
+std::optional<PickHit> first_hit(const Scene& scene, const OpenVolume& volume, const ViewRay& ray,
+                                 const Stretch& stretch) {
+  const double iso_value = iso_value_of(scene, stretch.branch);
+  std::optional<double> begin = stretch.begin;
+  if (stretch.begins_at_lens && scene.lens.cap == LensCap::open) {
+    begin = past_open_cap(volume, ray, iso_value, stretch);
+  }
+  if (!begin) return std::nullopt;
+  const auto position = volume.facts().first_surface_mm(ray.origin_mm + (*begin * ray.direction),
+                                                        ray.direction, iso_value);
+  if (!position) return std::nullopt;
+  const double distance = glm::dot(*position - ray.origin_mm, ray.direction);
+  if (distance > stretch.end) return std::nullopt;
+  return PickHit{*position, iso_value, stretch.branch};
+}
+
+}  // namespace
+
+std::optional<PickHit> pick(const Scene& scene, const OpenVolume& volume, glm::dvec2 position_px) {
+  const ViewRay ray = ray_through(scene.camera, scene.viewport, position_px);
+  const std::optional<Stretch> lens = inside_lens(scene.lens, ray);
+  if (!lens) return first_hit(scene, volume, ray, Stretch{});
+  const std::array stretches = {Stretch{0.0, lens->begin, PickedBranch::context, false}, *lens,
+                                Stretch{lens->end, kEndless, PickedBranch::context, true}};
+  for (const Stretch& stretch : stretches) {
+    if (stretch.begin >= stretch.end) continue;
+    if (const auto hit = first_hit(scene, volume, ray, stretch)) return hit;
+  }
+  return std::nullopt;
+}
+
+glm::dvec3 dragged_lens_centre(const Scene& scene, const OpenVolume& volume,
+                               glm::dvec2 position_px) {
+  const ViewRay ray = ray_through(scene.camera, scene.viewport, position_px);
+  if (const auto hit = first_hit(scene, volume, ray, Stretch{})) return hit->position_mm;
+  const glm::dvec3 forward = -camera_axes(scene.camera).backward;
+  const double depth = glm::dot(scene.lens.centre_mm - ray.origin_mm, forward);
+  const double slant = glm::dot(ray.direction, forward);
+  if (depth <= 0.0 || slant <= 0.0) return scene.lens.centre_mm;
+  return ray.origin_mm + (ray.direction * (depth / slant));
+}
+
+}  // namespace cutaway

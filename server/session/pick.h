@@ -1,0 +1,29 @@
+// What a scene shows under a point, found on the CPU by the same rule that the renderer follows.
+#pragma once
+
+#include <optional>
+
+#include "scene/server_message.h"
+#include "scene/view_geometry.h"
+#include "session/ends.h"
+
+namespace cutaway {
+
+struct PickHit {
+  glm::dvec3 position_mm;
+  double iso_value;  ///< of the surface that was hit
+  PickedBranch branch;
+};
+
+/// The visible surface under a point of the viewport: the context's outside of the lens, the focus'
+/// inside of it, whichever comes first along the ray (techniques: the cutaway lens' four cases);
+/// nothing where there is neither.
+std::optional<PickHit> pick(const Scene& scene, const OpenVolume& volume, glm::dvec2 position_px);
+
+/// Where drag_lens puts the lens: on the context's surface under the point as if there were no
+/// lens; beside the volume on the plane through the present centre that faces the viewer, or the
+/// present centre where that plane is not ahead.
+glm::dvec3 dragged_lens_centre(const Scene& scene, const OpenVolume& volume,
+                               glm::dvec2 position_px);
+
+}  // namespace cutaway

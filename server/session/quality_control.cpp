@@ -1,0 +1,65 @@
+#include "session/quality_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cutaway {
+
+namespace {
+
+// Cost goes with the number of pixels.
+const std::vector<StepControl::Step> kResolutionSteps = {
+    {1.0, 1.0}, {0.75, 0.5625}, {0.5, 0.25}, {0.35, 0.1225}, {0.25, 0.0625}};
+
+// JPEG quality and the bytes it makes, of those at 80: typical of our pictures, the control
+// corrects the rest.
+const std::vector<StepControl::Step> kCompressionSteps = {
+    {80.0, 1.0}, {65.0, 0.72}, {50.0, 0.58}, {35.0, 0.46}, {25.0, 0.37}};
+
+}  // namespace
+
+FrameQuality still_quality(const SessionSettings& settings) {
+  FrameQuality quality;
+  quality.supersampling = settings.still_supersampling;
+  quality.jpeg_quality = settings.still_jpeg_quality;
+  quality.chroma = ChromaSampling::yuv444;
+  quality.still = true;
+  return quality;
+}
+
+QualityControl::QualityControl(const SessionSettings& settings)
+    : settings_(settings),
+      resolution_(kResolutionSteps, settings.frame_budget),
+      compression_(kCompressionSteps, settings.frame_budget) {}
+
+void QualityControl::rendered(const FrameQuality& quality, Milliseconds cost) {
+  if (!made_with_present_steps(quality)) return;
+  resolution_.observe(compression_.at_last() ? std::max(cost, transfer_) : cost);
+}
+
+void QualityControl::acknowledged(const FrameQuality& quality, std::size_t bytes,
+                                  std::size_t bytes_in_flight, Milliseconds round_trip) {
+  link_.acknowledged(bytes_in_flight, round_trip);
+  if (!made_with_present_steps(quality)) return;
+  transfer_ = link_.transfer_time(bytes);
+  compression_.observe(transfer_);
+}
+
+FrameQuality QualityControl::interactive() const {
+  FrameQuality quality;
+  quality.resolution_scale = resolution_.value();
+  quality.jpeg_quality = static_cast<int>(std::lround(compression_.value()));
+  return quality;
+}
+
+Milliseconds QualityControl::interval() const {
+  return transfer_ > settings_.frame_budget ? transfer_ : Milliseconds(0.0);
+}
+
+// A still frame, or one that was under way when a step changed, says nothing about the present
+// steps.
+bool QualityControl::made_with_present_steps(const FrameQuality& quality) const {
+  return quality == interactive();
+}
+
+}  // namespace cutaway

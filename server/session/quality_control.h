@@ -1,0 +1,39 @@
+// Which quality the next frame has, from what the last ones cost.
+#pragma once
+
+#include "session/ends.h"
+#include "session/link_estimate.h"
+#include "session/settings.h"
+#include "session/step_control.h"
+
+namespace cutaway {
+
+/// The refined picture of a scene at rest.
+FrameQuality still_quality(const SessionSettings& settings);
+
+/// Render time governs resolution. The link governs JPEG quality, then the frame rate, and
+/// resolution once quality is at its lowest. The still quality is fixed.
+class QualityControl {
+ public:
+  explicit QualityControl(const SessionSettings& settings);
+
+  void rendered(const FrameQuality& quality, Milliseconds cost);
+  void acknowledged(const FrameQuality& quality, std::size_t bytes, std::size_t bytes_in_flight,
+                    Milliseconds round_trip);
+
+  FrameQuality interactive() const;
+  FrameQuality still() const { return still_quality(settings_); }
+  /// The least time between two interactive frames that keeps them from queueing on the link.
+  Milliseconds interval() const;
+
+ private:
+  bool made_with_present_steps(const FrameQuality& quality) const;
+
+  SessionSettings settings_;
+  StepControl resolution_;
+  StepControl compression_;
+  LinkEstimate link_;
+  Milliseconds transfer_{0.0};  ///< of the newest interactive frame
+};
+
+}  // namespace cutaway

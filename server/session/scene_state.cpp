@@ -1,0 +1,81 @@
+#include "session/scene_state.h"
+
+#include <array>
+#include <utility>
+
+namespace cutaway {
+
+namespace {
+
+constexpr std::array kVolumeDependent = {
+    "/volume",          "/camera/eye_mm",         "/camera/target_mm",
+    "/camera/up",       "/camera/view_height_mm", "/focus/surface",
+    "/context/surface", "/lens/centre_mm",        "/lens/radius_mm"};
+
+constexpr Viewport kAnyViewport{1024, 768};
+
+// In a live session the document's viewport says nothing; the viewport message does.
+Json without_viewport(Json document) {
+  document.erase("viewport");
+  return document;
+}
+
+}  // namespace
+
+SceneState::Change SceneState::set_document(const Json& document) {
+  return commit(document, viewport_, volume_);
+}
+
+SceneState::Change SceneState::set_viewport(Viewport viewport) {
+  return commit(document_, viewport, volume_);
+}
+
+SceneState::Change SceneState::set_volume(std::shared_ptr<const OpenVolume> volume,
+                                          const Json& document) {
+  return commit(document, viewport_, std::move(volume));
+}
+
+SceneState::Change SceneState::commit(Json document, Viewport viewport,
+                                      std::shared_ptr<const OpenVolume> volume) {
+  Change change;
+  if (volume && viewport == Viewport{}) {
+    resolve_scene(document, volume->facts(), kAnyViewport);  // throws now what it would throw later
+  } else if (volume) {
+    auto scene = std::make_shared<const Scene>(resolve_scene(document, volume->facts(), viewport));
+    Json complete = scene_document(*scene);
+    change.picture = !scene_ || *scene != *scene_ || volume != volume_;
+    change.chosen = without_viewport(complete) != without_viewport(document);
+    document = std::move(complete);
+    if (change.picture) scene_ = std::move(scene);
+  }
+  document_ = std::move(document);
+  viewport_ = viewport;
+  volume_ = std::move(volume);
+  if (change.picture) ++revision_;
+  return change;
+}
+
+std::optional<std::string> volume_of(const Json& document) {
+  const auto volume = document.find("volume");
+  if (volume == document.end() || !volume->is_string()) return std::nullopt;
+  return volume->get<std::string>();
+}
+
+Json changed_document(const Json& document, const Json& patch, bool replace) {
+  Json changed = patch_scene_document(replace ? Json::object() : document, patch);
+  if (!changed.contains("volume") && document.contains("volume")) {
+    changed["volume"] = document["volume"];
+  }
+  return changed;
+}
+
+Json without_volume_dependent(Json document) {
+  for (const char* field : kVolumeDependent) {
+    const Json::json_pointer pointer(field);
+    if (!document.contains(pointer)) continue;
+    document[pointer.parent_pointer()].erase(pointer.back());
+  }
+  return document;
+}
+
+}  // namespace cutaway

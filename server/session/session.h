@@ -1,0 +1,96 @@
+// One client's state, from its first message to its last: what it shows, what it waits for, what it
+// may still ask.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "scene/client_message.h"
+#include "scene/server_message.h"
+#include "session/ends.h"
+#include "session/frame_flow.h"
+#include "session/scene_state.h"
+#include "session/settings.h"
+#include "session/still_saver.h"
+#include "session/token_bucket.h"
+#include "session/volume_opening.h"
+
+namespace cutaway {
+
+/// What a session works with. The references outlive it.
+struct SessionEnds {
+  std::shared_ptr<Strand> strand;
+  FrameSource& frames;
+  VolumeLibrary& volumes;
+  ClientSink& client;
+  std::uint64_t live_view = 0;                      ///< of no other session
+  std::uint64_t still_view = 0;                     ///< of no other session, nor live_view
+  std::shared_ptr<const std::string> capabilities;  ///< the message, ready to send
+};
+
+/// Created, used and destroyed on its strand. Nothing that a client sends makes a member function
+/// throw: what is wrong is answered with an `error` message, and the last good state stands.
+class Session {
+ public:
+  enum class Reception { taken, too_fast };
+
+  Session(SessionEnds ends, const SessionSettings& settings);
+
+  /// Says what the server can do and what there is to see.
+  void start();
+  Reception receive_text(std::string_view text);
+  Reception receive_binary();
+
+ private:
+  /// A volume that is on its way, with the scene that is to be shown with it.
+  struct Pending {
+    std::string volume;
+    Json document;
+    InputStamp stamp;
+  };
+
+  Reception refuse_too_fast();
+  void handle(const SceneMessage& message);
+  void handle(const ViewportMessage& message);
+  void handle(const DragLensMessage& message);
+  void handle(const PickMessage& message);
+  void handle(const CancelLoadMessage& message);
+  void handle(const AckMessage& message);
+  void handle(const SaveStillMessage& message);
+
+  void open_volume(const std::string& id, Json document, InputStamp stamp);
+  void change_shown(const SceneMessage& message);
+  void opened(OpenOutcome outcome);
+  void opening_failed(const Error& error, const Pending& pending);
+  void show_opened(std::shared_ptr<const OpenVolume> volume, const Pending& pending);
+  void stop_opening();
+  void took_effect(SceneState::Change change, InputStamp stamp);
+
+  const Scene& shown_scene() const;
+  void check_size(int width_px, int height_px) const;
+  void tell_scene();
+  void tell_scene_soon();
+  void tell_volumes();
+  void tell(const Json& message);
+  void refuse(const Error& error, const MessageEcho& echo);
+  SceneSnapshot snapshot() const;
+
+  SessionEnds ends_;
+  SessionSettings settings_;
+  TokenBucket message_rate_;
+  TokenBucket refusal_rate_;
+  SceneState state_;
+  InputStamp stamp_;
+  FrameFlow flow_;
+  StillSaver stills_;
+  VolumeOpening opening_;
+  std::optional<Pending> pending_;
+  std::optional<TimePoint> scene_told_at_;
+  std::unique_ptr<Alarm> scene_alarm_;
+  Tether tether_;
+  std::unique_ptr<OpenTicket> listing_watch_;
+};
+
+}  // namespace cutaway

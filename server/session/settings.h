@@ -1,0 +1,22 @@
+// Every limit and target of one session; the configuration fills it (app/config.h).
+#pragma once
+
+#include <cstdint>
+
+#include "session/strand.h"
+
+namespace cutaway {
+
+struct SessionSettings {
+  int frames_in_flight = 2;
+  Milliseconds frame_budget{33.0};  ///< what an interactive frame may take to render and to travel
+  Milliseconds rest{200.0};         ///< without input, before the still frame
+  int still_jpeg_quality = 92;
+  int still_supersampling = 2;
+  int viewport_edge_px = 4096;
+  std::int64_t viewport_pixels = std::int64_t{4096} * 2304;
+  double messages_per_second = 300.0;
+  double message_burst = 600.0;
+};
+
+}  // namespace cutaway

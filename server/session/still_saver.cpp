@@ -1,0 +1,64 @@
+#include "session/still_saver.h"
+
+#include <utility>
+
+namespace cutaway {
+
+namespace {
+
+SceneSnapshot resized(const SceneSnapshot& snapshot, Viewport size) {
+  auto scene = std::make_shared<Scene>(*snapshot.scene);
+  scene->viewport = size;
+  return {.scene = std::move(scene), .revision = snapshot.revision, .stamp = snapshot.stamp};
+}
+
+Error cancelled() {
+  return Error({.code = "render-failed", .message = "the still was given up by the renderer"});
+}
+
+}  // namespace
+
+StillSaver::StillSaver(std::shared_ptr<Strand> strand, FrameSource& source, ClientSink& sink,
+                       std::uint64_t view, std::function<void(std::uint32_t, const Error&)> failed)
+    : source_(source),
+      sink_(sink),
+      view_(view),
+      failed_(std::move(failed)),
+      tether_(std::move(strand)) {}
+
+StillSaver::~StillSaver() { source_.release(view_); }
+
+void StillSaver::save(const Wish& wish, const SceneSnapshot& snapshot,
+                      const FrameQuality& quality) {
+  if (busy_) {
+    throw Error({.code = "rate-limited",
+                 .message = "another still is being made",
+                 .expected = "one save_still at a time"});
+  }
+  busy_ = true;
+  const SceneSnapshot shown = resized(snapshot, wish.size);
+  source_.submit(
+      {.view = view_,
+       .revision = shown.revision,
+       .scene = shown.scene,
+       .quality = quality,
+       .encoding = PictureEncoding::png},
+      tether_.bind<FrameOutcome>([this, request = wish.request, shown](FrameOutcome outcome) {
+        came_back(request, shown, std::move(outcome));
+      }));
+}
+
+void StillSaver::came_back(std::uint32_t request, const SceneSnapshot& shown,
+                           FrameOutcome outcome) {
+  source_.release(view_);
+  if (auto* frame = std::get_if<Frame>(&outcome)) {
+    sink_.send_still(saved_still_message(request, shown.stamp, shown.scene->viewport, *frame),
+                     tether_.bind<bool>([this](bool) { busy_ = false; }));
+    return;
+  }
+  busy_ = false;
+  const auto* error = std::get_if<Error>(&outcome);
+  failed_(request, error != nullptr ? *error : cancelled());
+}
+
+}  // namespace cutaway

@@ -1,0 +1,32 @@
+// A rate limit that allows bursts.
+#pragma once
+
+#include <algorithm>
+
+#include "session/strand.h"
+
+namespace cutaway {
+
+class TokenBucket {
+ public:
+  TokenBucket(double per_second, double burst, TimePoint now)
+      : per_second_(per_second), burst_(burst), tokens_(burst), filled_at_(now) {}
+
+  /// False where the rate is exceeded.
+  bool take(TimePoint now) {
+    const double seconds = std::chrono::duration<double>(now - filled_at_).count();
+    tokens_ = std::min(burst_, tokens_ + (seconds * per_second_));
+    filled_at_ = now;
+    if (tokens_ < 1.0) return false;
+    tokens_ -= 1.0;
+    return true;
+  }
+
+ private:
+  double per_second_;
+  double burst_;
+  double tokens_;
+  TimePoint filled_at_;
+};
+
+}  // namespace cutaway

@@ -1,0 +1,163 @@
+// The ends of a session under a test's control: frames that are finished by hand, volumes that open
+// by hand, a client that keeps what it was sent.
+#pragma once
+
+#include <deque>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/check.h"
+#include "scene/frame_header.h"
+#include "session/ends.h"
+
+namespace cutaway::testing {
+
+/// One place for each view, as the renderer has; a request begins when the test says so.
+class FakeFrames final : public FrameSource {
+ public:
+  struct Job {
+    FrameRequest request;
+    std::function<void(FrameOutcome)> done;
+  };
+
+  void submit(FrameRequest request, std::function<void(FrameOutcome)> done) override {
+    drop_waiting(request.view);
+    ++submitted;
+    waiting_.push_back({std::move(request), std::move(done)});
+  }
+  bool renew(const FrameRequest& request) override {
+    for (Job& job : waiting_) {
+      if (job.request.view != request.view) continue;
+      job.request = request;
+      ++renewed;
+      return true;
+    }
+    return false;
+  }
+  void release(std::uint64_t view) override {
+    released.insert(view);
+    drop_waiting(view);
+  }
+  RendererDescription describe() const override { return {"a fake", true}; }
+  std::string trouble() const override { return ""; }
+
+  bool idle() const { return waiting_.empty() && begun_.empty(); }
+  std::size_t waiting() const { return waiting_.size(); }
+
+  /// The oldest waiting request can no longer be replaced.
+  const FrameRequest& begin() {
+    begun_.push_back(std::move(waiting_.front()));
+    waiting_.pop_front();
+    return begun_.back().request;
+  }
+  /// Ends the oldest begun request, or the oldest waiting one.
+  FrameRequest finish(std::uint32_t render_us = 5000, std::size_t bytes = 100) {
+    Job job = next();
+    Frame frame{.picture = std::vector<std::uint8_t>(bytes, 0xAB),
+                .width_px = job.request.scene->viewport.width_px,
+                .height_px = job.request.scene->viewport.height_px,
+                .revision = job.request.revision,
+                .quality = job.request.quality,
+                .render_us = render_us,
+                .encode_us = 1000};
+    job.done(std::move(frame));
+    return job.request;
+  }
+  void fail(const Error& error) { next().done(error); }
+
+  int submitted = 0;
+  int renewed = 0;
+  std::set<std::uint64_t> released;
+
+ private:
+  Job next() {
+    std::deque<Job>& from = begun_.empty() ? waiting_ : begun_;
+    check(!from.empty(), "a frame was asked for");
+    Job job = std::move(from.front());
+    from.pop_front();
+    return job;
+  }
+  void drop_waiting(std::uint64_t view) {
+    std::erase_if(waiting_, [view](Job& job) {
+      if (job.request.view != view) return false;
+      job.done(FrameReplaced{});
+      return true;
+    });
+  }
+
+  std::deque<Job> waiting_;
+  std::deque<Job> begun_;
+};
+
+/// A ball around the origin whose value falls by 1 per mm from `centre_value`.
+class BallVolume final : public OpenVolume {
+ public:
+  explicit BallVolume(std::string id, double centre_value = 200.0);
+
+  const VolumeFacts& facts() const override { return facts_; }
+  const std::string& units() const override { return units_; }
+  const Json& summary() const override { return summary_; }
+  std::optional<double> value_at(glm::dvec3 position_mm) const override;
+
+ private:
+  double centre_value_;
+  std::string units_ = "HU";
+  VolumeFacts facts_;
+  Json summary_;
+};
+
+class FakeLibrary final : public VolumeLibrary {
+ public:
+  struct Wish {
+    std::string id;
+    ProgressSink progress;
+    std::function<void(OpenOutcome)> done;
+    bool withdrawn = false;
+  };
+
+  Json listing() const override { return listing_; }
+  std::unique_ptr<OpenTicket> watch(std::function<void()> changed) override;
+  std::unique_ptr<OpenTicket> open(const std::string& id, ProgressSink progress,
+                                   std::function<void(OpenOutcome)> done) override;
+
+  /// Ends the newest wish with a ball.
+  void finish();
+  void fail(const Error& error);
+  void progress(LoadStage stage, double fraction) { wishes.back()->progress(stage, fraction); }
+  void change_listing(Json listing);
+
+  std::vector<std::shared_ptr<Wish>> wishes;
+  double centre_value = 200.0;
+
+ private:
+  Json listing_ = {{"volumes", Json::array()}, {"refused", Json::array()}};
+  std::shared_ptr<std::function<void()>> changed_ = std::make_shared<std::function<void()>>();
+};
+
+class FakeClient final : public ClientSink {
+ public:
+  struct Picture {
+    FrameHeader header;
+    std::function<void(bool)> done;
+  };
+
+  void send_text(std::string message) override { texts.push_back(Json::parse(message)); }
+  void send_frame(std::vector<std::uint8_t> message, std::function<void(bool)> done) override {
+    frames.push_back({decode_frame(message).header, std::move(done)});
+  }
+  void send_still(std::vector<std::uint8_t> message, std::function<void(bool)> done) override {
+    stills.push_back({decode_frame(message).header, std::move(done)});
+  }
+
+  std::vector<Json> of_type(const std::string& type) const;
+  /// The newest message of a type; null where none came.
+  Json last(const std::string& type) const;
+
+  std::vector<Json> texts;
+  std::vector<Picture> frames;
+  std::vector<Picture> stills;
+};
+
+}  // namespace cutaway::testing

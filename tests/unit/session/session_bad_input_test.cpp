@@ -1,0 +1,240 @@
+// What a client can send wrong: each is answered with an error that names code, field, limit and
+// what came; the last good state stands and the session goes on.
+#include "unit/session/session_fixture.h"
+
+namespace cutaway {
+namespace {
+
+class SessionBadInputTest : public testing::SessionFixture {
+ protected:
+  SessionBadInputTest() { show_ball(); }
+
+  /// The bad message makes neither frame nor state; a good one after it works.
+  void expect_unharmed() {
+    EXPECT_TRUE(frames.idle());
+    const std::uint32_t next = scene({{"lens", {{"radius_mm", 11.0 + input}}}});
+    EXPECT_FALSE(frames.idle());
+    settle();
+    EXPECT_EQ(client.frames.back().header.input, next);
+  }
+  Json error() const { return client.last("error"); }
+};
+
+TEST_F(SessionBadInputTest, MalformedJson) {
+  for (const char* text : {"", "{", "nonsense", "{\"type\":", "[1,2", "\"", "{\"a\":1}}", "\x01"}) {
+    client.texts.clear();
+    session->receive_text(text);
+    expect_error("malformed-json");
+  }
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, DeepNesting) {
+  session->receive_text(std::string(30'000, '['));
+  expect_error("malformed-json");
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, JsonThatIsNoMessage) {
+  for (const char* text : {"1", "null", "[]", "\"scene\"", "true"}) {
+    client.texts.clear();
+    session->receive_text(text);
+    expect_error("wrong-type");
+  }
+  session->receive_text("{}");
+  expect_error("missing-field", "/type");
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, BinaryWhereTextIsExpected) {
+  session->receive_binary();
+  expect_error("not-text");
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, UnknownMessage) {
+  receive({{"type", "reboot"}});
+  expect_error("unknown-message", "/type");
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, UnknownFieldOfAMessage) {
+  receive({{"type", "cancel_load"}, {"why", "no"}});
+  expect_error("unknown-field", "/why");
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, UnknownFieldOfTheScene) {
+  const std::uint32_t bad = scene({{"lens", {{"sharpness", 1}}}});
+  expect_error("unknown-field", "/lens/sharpness");
+  EXPECT_EQ(error()["input"], bad);
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, MissingField) {
+  receive({{"type", "viewport"}, {"input", 1}, {"clock_ms", 1}, {"width_px", 5}});
+  expect_error("missing-field", "/height_px");
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, WrongType) {
+  const std::uint32_t bad = scene({{"lens", {{"radius_mm", "big"}}}});
+  expect_error("wrong-type", "/lens/radius_mm");
+  EXPECT_EQ(error()["input"], bad);
+  scene({{"volume", 7}});
+  expect_error("wrong-type", "/volume");
+  scene({{"camera", 7}});
+  expect_error("wrong-type", "/camera");
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, OutOfRangeNamesTheLimitAndWhatCame) {
+  scene({{"lens", {{"radius_mm", -5.0}}}});
+  expect_error("out-of-range", "/lens/radius_mm");
+  EXPECT_NE(error()["expected"].get<std::string>().find("2000"), std::string::npos) << error();
+  EXPECT_NE(error()["received"].get<std::string>().find("-5"), std::string::npos) << error();
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, NonFiniteNumber) {
+  session->receive_text(
+      R"({"type":"scene","input":1,"clock_ms":0,"scene":{"lens":{"radius_mm":1e999}}})");
+  EXPECT_EQ(error()["code"], "not-finite") << error();
+  session->receive_text(
+      R"({"type":"scene","input":1,"clock_ms":0,"scene":{"lens":{"radius_mm":NaN}}})");
+  EXPECT_EQ(error()["code"], "malformed-json") << error();
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, UnknownVolume) {
+  scene({{"volume", "nowhere"}});
+  library.fail(Error({.code = "unknown-volume", .message = "no such volume", .field = "/volume"}));
+  strand->run();
+  expect_error("unknown-volume", "/volume");
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, UnknownModule) {
+  scene({{"focus", {{"shading", {{"name", "x-ray-glow"}}}}}});
+  EXPECT_EQ(error()["code"], "unknown-module") << error();
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, ACameraAtItsTarget) {
+  scene({{"camera", {{"eye_mm", {1, 2, 3}}, {"target_mm", {1, 2, 3}}}}});
+  EXPECT_EQ(error()["code"], "invalid-scene") << error();
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, ACameraInsideTheBoneIsNoError) {
+  scene({{"camera", {{"eye_mm", {1, 2, 3}}, {"target_mm", {0, 0, 0}}, {"up", {0, 0, 1}}}}});
+  EXPECT_TRUE(client.of_type("error").empty());
+  receive({{"type", "pick"}, {"request", 1}, {"position_px", {320, 240}}});
+  EXPECT_TRUE(client.last("picked").contains("position_mm"));
+  receive(
+      {{"type", "drag_lens"}, {"input", ++input}, {"clock_ms", 1}, {"position_px", {320, 240}}});
+  settle();
+  EXPECT_TRUE(client.of_type("error").empty());
+}
+
+TEST_F(SessionBadInputTest, AViewportOf100000Squared) {
+  const std::uint32_t bad = viewport(100'000, 100'000);
+  expect_error("out-of-range", "/height_px");
+  EXPECT_EQ(error()["input"], bad);
+  viewport(0, 10);
+  expect_error("out-of-range", "/width_px");
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, AViewportOverTheConfiguredLimits) {
+  viewport(4097, 10);
+  expect_error("out-of-range", "/width_px");
+  EXPECT_EQ(error()["expected"], "1 to 4096 px");
+  EXPECT_EQ(error()["received"], "4097");
+  viewport(10, 5000);
+  expect_error("out-of-range", "/height_px");
+  viewport(4096, 4096);
+  expect_error("out-of-range", "/width_px");
+  EXPECT_EQ(error()["expected"], "width_px times height_px at most 9437184");
+  receive({{"type", "save_still"}, {"request", 3}, {"width_px", 5000}, {"height_px", 10}});
+  expect_error("out-of-range", "/width_px");
+  EXPECT_EQ(error()["request"], 3);
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, AnAcknowledgementOfAFrameNeverSent) {
+  receive({{"type", "ack"}, {"frame", 123'456}});
+  expect_error("out-of-range", "/frame");
+  expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, AskingSomethingOfASessionThatShowsNothing) {
+  restart();
+  receive({{"type", "pick"}, {"request", 8}, {"position_px", {0, 0}}});
+  expect_error("no-volume");
+  EXPECT_EQ(error()["request"], 8);
+  receive({{"type", "drag_lens"}, {"input", 1}, {"clock_ms", 1}, {"position_px", {0, 0}}});
+  expect_error("no-volume");
+  receive({{"type", "save_still"}, {"request", 9}, {"width_px", 5}, {"height_px", 5}});
+  expect_error("no-volume");
+}
+
+TEST_F(SessionBadInputTest, ABadPartSpoilsTheWholeMessageAndNothingElse) {
+  const std::uint32_t bad =
+      scene({{"background", {{"colour", {1, 1, 1}}}}, {"lens", {{"radius_mm", -1}}}});
+  EXPECT_EQ(error()["input"], bad);
+  scene({{"lens", {{"radius_mm", 3.0}}}});
+  EXPECT_NE(rendered().background.colour, glm::dvec3(1, 1, 1));
+}
+
+TEST_F(SessionBadInputTest, ARendererThatFailsIsReportedAndTheSessionGoesOn) {
+  scene({{"lens", {{"radius_mm", 3.0}}}});
+  frames.fail(Error({.code = "render-failed", .message = "the GPU is gone"}));
+  strand->run();
+  expect_error("render-failed");
+  strand->advance(Milliseconds(1000.0));
+  expect_unharmed();
+}
+
+class SessionRateTest : public testing::SessionFixture {
+ protected:
+  SessionRateTest() {
+    settings.messages_per_second = 10.0;
+    settings.message_burst = 20.0;
+    restart();
+    show_ball();
+    strand->advance(Milliseconds(10'000.0));
+  }
+};
+
+TEST_F(SessionRateTest, TooManyMessagesAreRefusedWithOneErrorASecond) {
+  for (int i = 0; i < 1000; ++i) scene({{"lens", {{"radius_mm", i}}}});
+  ASSERT_EQ(client.of_type("error").size(), 1);
+  expect_error("rate-limited");
+  EXPECT_EQ(client.last("error")["expected"], "10 a second");
+  EXPECT_EQ(session->receive_text("{}"), Session::Reception::too_fast);
+  EXPECT_EQ(session->receive_text(std::string(10'000, ' ')), Session::Reception::too_fast);
+  EXPECT_EQ(session->receive_binary(), Session::Reception::too_fast);
+}
+
+TEST_F(SessionRateTest, AcknowledgementsAlwaysCount) {
+  scene({{"lens", {{"radius_mm", 1.0}}}});
+  for (int i = 0; i < 100; ++i) receive({{"type", "cancel_load"}});
+  settle();
+  EXPECT_FALSE(client.frames.empty());
+  strand->advance(Milliseconds(300.0));
+  EXPECT_FALSE(frames.idle()) << "the still frame found a credit";
+}
+
+TEST_F(SessionRateTest, TheRateRecovers) {
+  for (int i = 0; i < 100; ++i) scene({{"lens", {{"radius_mm", i}}}});
+  strand->advance(Milliseconds(1000.0));
+  come_to_rest();
+  client.texts.clear();
+  scene({{"lens", {{"radius_mm", 77.0}}}});
+  EXPECT_EQ(rendered().lens.radius_mm, 77.0);
+  EXPECT_TRUE(client.of_type("error").empty());
+}
+
+}  // namespace
+}  // namespace cutaway

@@ -1,0 +1,204 @@
+// A session from its first message on: scene, viewport, lens, picking, stills.
+#include <gmock/gmock.h>
+
+#include "scene/view_geometry.h"
+#include "unit/session/session_fixture.h"
+
+namespace cutaway {
+namespace {
+
+using ::testing::ElementsAre;
+using SessionTest = testing::SessionFixture;
+
+TEST_F(SessionTest, BeginsWithCapabilitiesAndVolumes) {
+  ASSERT_EQ(client.texts.size(), 2);
+  EXPECT_EQ(client.texts[0]["type"], "capabilities");
+  EXPECT_EQ(client.texts[1]["type"], "volumes");
+}
+
+TEST_F(SessionTest, TellsOfAListingThatChanges) {
+  library.change_listing({{"volumes", {{{"id", "new"}}}}, {"refused", Json::array()}});
+  strand->run();
+  EXPECT_EQ(client.last("volumes")["volumes"][0]["id"], "new");
+}
+
+TEST_F(SessionTest, SendsNoFrameBeforeVolumeAndViewport) {
+  open("ball");
+  EXPECT_TRUE(frames.idle());
+  EXPECT_TRUE(client.last("scene").is_null());
+  viewport(640, 480);
+  EXPECT_FALSE(frames.idle());
+  EXPECT_EQ(client.last("scene")["scene"]["volume"], "ball");
+}
+
+TEST_F(SessionTest, ChoosesWhatTheSceneLeavesOpenAndSaysSo) {
+  viewport(640, 480);
+  open("ball");
+  const Json message = client.last("scene");
+  EXPECT_EQ(message["scene"]["context"]["surface"]["iso_value"], 100.0);
+  EXPECT_EQ(message["scene"]["focus"]["surface"]["iso_value"], 150.0);
+  EXPECT_TRUE(message["scene"]["camera"].contains("eye_mm"));
+  EXPECT_EQ(message["volume"]["id"], "ball");
+}
+
+TEST_F(SessionTest, FramesCarryTheInputAndRevisionTheyShow) {
+  show_ball();
+  const std::uint32_t latest = scene({{"focus", {{"surface", {{"iso_value", 120.0}}}}}});
+  EXPECT_EQ(rendered().focus.iso_value, 120.0);
+  EXPECT_EQ(client.frames.back().header.input, latest);
+}
+
+TEST_F(SessionTest, DoesNotRepeatToTheClientWhatItSpeltOutItself) {
+  show_ball();
+  scene({{"focus", {{"surface", {{"iso_value", 120.0}}}}}});
+  strand->advance(Milliseconds(1000.0));
+  EXPECT_TRUE(client.of_type("scene").empty());
+}
+
+TEST_F(SessionTest, ANullTakesAFieldBackToItsDefaultAndTheClientIsTold) {
+  show_ball();
+  scene({{"focus", {{"surface", {{"iso_value", 120.0}}}}}});
+  scene({{"focus", {{"surface", {{"iso_value", nullptr}}}}}});
+  strand->advance(Milliseconds(100.0));
+  EXPECT_EQ(client.last("scene")["scene"]["focus"]["surface"]["iso_value"], 150.0);
+}
+
+TEST_F(SessionTest, AReplacingSceneKeepsOnlyTheVolume) {
+  show_ball();
+  scene({{"light", {{"frame", "patient"}}}, {"camera", {{"vertical_fov_degrees", 60}}}});
+  scene({{"light", {{"direction", {0, 0, 1}}}}}, true);
+  come_to_rest();
+  const Json document = client.last("scene")["scene"];
+  EXPECT_EQ(document["volume"], "ball");
+  EXPECT_EQ(document["light"]["frame"], "camera");
+  EXPECT_EQ(document["camera"]["vertical_fov_degrees"], 30.0);
+}
+
+TEST_F(SessionTest, WhatWasChosenStaysWhenTheCameraTurns) {
+  show_ball();
+  scene({{"lens", {{"radius_mm", 10.0}}}});
+  const glm::dvec3 before = rendered().lens.centre_mm;
+  scene({{"camera", {{"eye_mm", {500, 0, 0}}, {"target_mm", {0, 0, 0}}, {"up", {0, 0, 1}}}}});
+  EXPECT_EQ(rendered().lens.centre_mm, before);
+}
+
+TEST_F(SessionTest, AMessageThatChangesNothingMakesNoFrame) {
+  show_ball();
+  scene(Json::object());
+  viewport(640, 480);
+  strand->advance(Milliseconds(1000.0));
+  EXPECT_TRUE(frames.idle());
+}
+
+TEST_F(SessionTest, TheNextFrameShowsTheInputThatChangedNothing) {
+  show_ball();
+  scene(Json::object());
+  const std::uint32_t latest = scene({{"lens", {{"radius_mm", 10.0}}}});
+  settle();
+  EXPECT_EQ(client.frames.back().header.input, latest);
+}
+
+TEST_F(SessionTest, AViewportOfOnePixelIsFine) {
+  show_ball();
+  viewport(1, 1);
+  EXPECT_EQ(rendered().viewport, (Viewport{1, 1}));
+  EXPECT_TRUE(client.of_type("error").empty());
+}
+
+TEST_F(SessionTest, DragLensPutsItOnTheContextAndTellsTheClient) {
+  show_ball();
+  receive(
+      {{"type", "drag_lens"}, {"input", ++input}, {"clock_ms", 1.0}, {"position_px", {350, 240}}});
+  const Scene shown = rendered();
+  EXPECT_NEAR(glm::length(shown.lens.centre_mm), 100.0, 0.5);
+  const auto at_px = project_px(shown.camera, shown.viewport, shown.lens.centre_mm);
+  ASSERT_TRUE(at_px.has_value());
+  EXPECT_LT(glm::distance(*at_px, glm::dvec2(350.0, 240.0)), 0.1);
+  const Json centre = client.last("scene")["scene"]["lens"]["centre_mm"];
+  EXPECT_NEAR(centre[0].get<double>(), shown.lens.centre_mm.x, 1e-6);
+}
+
+TEST_F(SessionTest, AStormOfDragsTellsTheSceneSeldomAndTheLastOneSurely) {
+  show_ball();
+  for (int i = 0; i < 60; ++i) {
+    receive({{"type", "drag_lens"},
+             {"input", ++input},
+             {"clock_ms", 1.0},
+             {"position_px", {300 + i, 240}}});
+    strand->advance(Milliseconds(5.0));
+  }
+  come_to_rest();
+  EXPECT_LT(client.of_type("scene").size(), 12);
+  EXPECT_EQ(client.last("scene")["revision"], client.frames.back().header.revision);
+}
+
+TEST_F(SessionTest, PickSaysWhatIsThere) {
+  show_ball();
+  scene({{"lens", {{"mode", "none"}}}});
+  receive({{"type", "pick"}, {"request", 5}, {"position_px", {320, 240}}});
+  const Json picked = client.last("picked");
+  EXPECT_EQ(picked["request"], 5);
+  EXPECT_EQ(picked["branch"], "context");
+  EXPECT_EQ(picked["units"], "HU");
+  EXPECT_NEAR(picked["value"].get<double>(), 100.0, 1.0);
+}
+
+TEST_F(SessionTest, PickBesideTheVolumeHasNoPosition) {
+  show_ball();
+  receive({{"type", "pick"}, {"request", 6}, {"position_px", {0, 0}}});
+  EXPECT_EQ(client.last("picked"), Json({{"type", "picked"}, {"request", 6}}));
+}
+
+TEST_F(SessionTest, SaveStillComesAsALosslessPictureOfItsOwnSize) {
+  show_ball();
+  receive({{"type", "save_still"}, {"request", 42}, {"width_px", 1920}, {"height_px", 1080}});
+  const FrameRequest request = frames.finish();
+  strand->run();
+  EXPECT_EQ(request.encoding, PictureEncoding::png);
+  EXPECT_EQ(request.view, 2);
+  EXPECT_EQ(request.scene->viewport, (Viewport{1920, 1080}));
+  ASSERT_EQ(client.stills.size(), 1);
+  const FrameHeader& header = client.stills[0].header;
+  EXPECT_EQ(header.type, PictureType::saved_still);
+  EXPECT_TRUE(header.lossless);
+  EXPECT_EQ(header.frame, 42);
+  EXPECT_EQ(header.picture_width_px, 1920);
+  EXPECT_TRUE(frames.released.contains(2));
+}
+
+TEST_F(SessionTest, OneStillAtATime) {
+  show_ball();
+  const Json save = {{"type", "save_still"}, {"request", 1}, {"width_px", 64}, {"height_px", 64}};
+  receive(save);
+  receive(save);
+  expect_error("rate-limited");
+  EXPECT_EQ(client.last("error")["request"], 1);
+  frames.finish();
+  strand->run();
+  client.stills[0].done(true);
+  strand->run();
+  receive(save);
+  EXPECT_EQ(client.of_type("error").size(), 1);
+}
+
+TEST_F(SessionTest, LiveFramesGoOnWhileAStillIsMade) {
+  show_ball();
+  receive({{"type", "save_still"}, {"request", 1}, {"width_px", 64}, {"height_px", 64}});
+  frames.begin();
+  scene({{"lens", {{"radius_mm", 10.0}}}});
+  EXPECT_EQ(frames.waiting(), 1);
+}
+
+TEST_F(SessionTest, EndsLeavingNothingBehind) {
+  show_ball();
+  scene({{"volume", "other"}});
+  session.reset();
+  EXPECT_TRUE(library.wishes.back()->withdrawn);
+  EXPECT_TRUE(frames.released.contains(1));
+  EXPECT_FALSE(strand->has_alarm());
+  library.finish();
+  strand->run();
+}
+
+}  // namespace
+}  // namespace cutaway
