@@ -1,0 +1,251 @@
+// One stand-in session: messages in, frames out, with the credits and the still frame of
+// protocol/README.md.
+import { drawScene, surfaceUnder } from './picture.mjs';
+import { mergePatch, resolve } from './scene.mjs';
+import { modules, styles, validateClientMessage, validateScene } from './schemas.mjs';
+import { refused, summary, volumes } from './volumes.mjs';
+
+const REST_MS = 200;
+const LOAD_STEP_MS = 60;
+const LIVE_SCALE = 0.3;
+const STILL_SCALE = 0.6;
+
+function frameMessage(header, picture) {
+  const bytes = Buffer.alloc(56);
+  bytes.write('CTWF', 0, 'latin1');
+  bytes.set([1, header.type ?? 1, header.flags], 4);
+  bytes.writeUInt16LE(56, 8);
+  bytes.writeUInt32LE(header.frame, 12);
+  bytes.writeUInt32LE(header.revision, 16);
+  bytes.writeUInt32LE(header.input, 20);
+  bytes.writeDoubleLE(header.clock_ms, 24);
+  bytes.writeUInt32LE(Math.round(header.render_ms * 1000), 32);
+  bytes.writeUInt16LE(header.width, 40);
+  bytes.writeUInt16LE(header.height, 42);
+  bytes.writeUInt16LE(header.viewport.width_px, 44);
+  bytes.writeUInt16LE(header.viewport.height_px, 46);
+  bytes.writeUInt32LE(picture.length, 48);
+  return Buffer.concat([bytes, picture]);
+}
+
+export class MockSession {
+  #socket;
+  #document = {};
+  #viewport;
+  #volume;
+  #scene;
+  #revision = 0;
+  #input = { input: 0, clock_ms: 0 };
+  #frame = 0;
+  #acknowledged = 0;
+  #dirty = false;
+  #drawing = false;
+  #rest;
+  #load;
+
+  constructor(socket) {
+    this.#socket = socket;
+    socket.on('message', (data) => this.#receive(String(data)));
+    socket.on('close', () => {
+      clearTimeout(this.#rest);
+      clearInterval(this.#load);
+    });
+    const limits = {
+      message_bytes: 65536,
+      viewport_side_px: 4096,
+      viewport_pixels: 9437184,
+      frames_in_flight: 2,
+    };
+    this.#send({
+      type: 'capabilities',
+      protocol: 'cutaway.v1',
+      server: 'cutaway stand-in',
+      renderer: 'two ellipsoids',
+      software_renderer: true,
+      limits,
+      modules,
+      styles,
+      notice: 'Not for diagnostic use',
+    });
+    this.#send({ type: 'volumes', volumes: volumes.map(({ entry }) => entry), refused });
+  }
+
+  #send(message) {
+    this.#socket.send(JSON.stringify(message));
+  }
+
+  #refuse(error, message) {
+    this.#send({
+      type: 'error',
+      ...error,
+      ...(message?.input !== undefined && { input: message.input }),
+    });
+  }
+
+  #receive(text) {
+    const message = JSON.parse(text);
+    if (!validateClientMessage(message)) {
+      return this.#refuse(
+        {
+          code: 'out-of-range',
+          message: 'The message does not fit its schema',
+          field: validateClientMessage.errors[0].instancePath,
+        },
+        message,
+      );
+    }
+    const { input, clock_ms } = message;
+    if (message.type === 'ack') {
+      this.#acknowledged = message.frame;
+      return this.#pump();
+    }
+    if (message.type === 'cancel_load') return this.#cancelLoad();
+    if (message.type === 'save_still') return this.#saveStill(message);
+    if (input !== undefined) this.#input = { input, clock_ms };
+    if (message.type === 'viewport') {
+      this.#viewport = { width_px: message.width_px, height_px: message.height_px };
+      return this.#resolve(false);
+    }
+    if (message.type === 'drag_lens') return this.#dragLens(message);
+    if (message.type === 'scene') return this.#changeScene(message);
+  }
+
+  #changeScene(message) {
+    const document = mergePatch(message.replace ? {} : this.#document, message.scene);
+    if (!validateScene(document)) {
+      const [error] = validateScene.errors;
+      return this.#refuse(
+        {
+          code: 'out-of-range',
+          message: 'A field of the scene is not as it should be',
+          field: error.instancePath,
+          expected: error.message,
+        },
+        message,
+      );
+    }
+    const wanted = volumes.find(({ entry }) => entry.id === document.volume);
+    if (document.volume && !wanted) {
+      return this.#refuse(
+        {
+          code: 'unknown-volume',
+          message: 'There is no such volume',
+          field: '/volume',
+          received: document.volume,
+        },
+        message,
+      );
+    }
+    if (wanted && wanted !== this.#volume)
+      return this.#open(wanted, message.replace ? document : { ...message.scene });
+    this.#document = document;
+    this.#resolve(JSON.stringify(message.scene).includes('null') || message.replace);
+  }
+
+  #open(volume, document) {
+    clearInterval(this.#load);
+    const stages = ['read', 'decode', 'min_max', 'upload'];
+    let step = 0;
+    const report = () => {
+      const stage = stages[Math.floor(step / 4)];
+      if (stage)
+        return this.#send({
+          type: 'loading',
+          volume: volume.entry.id,
+          stage,
+          fraction: (step++ % 4) / 4,
+        });
+      clearInterval(this.#load);
+      this.#volume = volume;
+      this.#document = { ...this.#look(), ...document };
+      this.#send({ type: 'loading', volume: volume.entry.id, stage: 'ready', fraction: 1 });
+      this.#resolve(true);
+    };
+    this.#load = setInterval(report, LOAD_STEP_MS);
+    this.#loading = volume.entry.id;
+  }
+
+  #loading;
+
+  #look() {
+    const { focus, context, light, background } = this.#document;
+    return Object.fromEntries(
+      Object.entries({ focus, context, light, background }).filter(([, value]) => value),
+    );
+  }
+
+  #cancelLoad() {
+    clearInterval(this.#load);
+    this.#send({ type: 'loading', volume: this.#loading, stage: 'cancelled', fraction: 0 });
+  }
+
+  #dragLens({ position_px }) {
+    const centre_mm = this.#scene && surfaceUnder(this.#scene, this.#volume, position_px);
+    if (!centre_mm) return;
+    this.#document = mergePatch(this.#document, { lens: { centre_mm } });
+    this.#resolve(true);
+  }
+
+  #resolve(tell) {
+    if (!this.#volume || !this.#viewport) return;
+    this.#revision += 1;
+    this.#scene = resolve(this.#document, this.#volume, this.#viewport);
+    this.#document = this.#scene;
+    if (tell)
+      this.#send({
+        type: 'scene',
+        revision: this.#revision,
+        scene: this.#scene,
+        volume: summary(this.#volume),
+      });
+    this.#dirty = true;
+    clearTimeout(this.#rest);
+    this.#rest = setTimeout(() => this.#draw(true), REST_MS);
+    this.#pump();
+  }
+
+  #pump() {
+    if (!this.#dirty || this.#drawing || this.#frame - this.#acknowledged >= 2) return;
+    this.#drawing = true;
+    setImmediate(() => {
+      this.#drawing = false;
+      this.#dirty = false;
+      this.#draw(false);
+    });
+  }
+
+  #draw(still) {
+    const began = performance.now();
+    const size = Object.values(this.#viewport).map((side) =>
+      Math.max(1, Math.round(side * (still ? STILL_SCALE : LIVE_SCALE))),
+    );
+    const picture = drawScene(this.#scene, this.#volume, ...size);
+    this.#frame += 1;
+    const header = {
+      frame: this.#frame,
+      revision: this.#revision,
+      ...this.#input,
+      flags: still ? 1 : 0,
+      viewport: this.#viewport,
+    };
+    const [width, height] = size;
+    this.#socket.send(
+      frameMessage({ ...header, width, height, render_ms: performance.now() - began }, picture),
+    );
+  }
+
+  #saveStill({ request, width_px, height_px }) {
+    const picture = drawScene(this.#scene, this.#volume, width_px, height_px);
+    const header = {
+      type: 2,
+      flags: 3,
+      frame: request,
+      revision: this.#revision,
+      ...this.#input,
+      viewport: { width_px, height_px },
+    };
+    this.#socket.send(
+      frameMessage({ ...header, width: width_px, height: height_px, render_ms: 0 }, picture),
+    );
+  }
+}

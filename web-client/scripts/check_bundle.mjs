@@ -1,0 +1,38 @@
+// The built client: small enough for a first visit, and with no address of another origin in it.
+import { readdirSync, readFileSync } from 'node:fs';
+import { extname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+
+const LARGEST_INITIAL_BYTES = 150 * 1000;
+const dist = fileURLToPath(new URL('../dist', import.meta.url));
+const files = readdirSync(dist, { recursive: true, withFileTypes: true })
+  .filter((entry) => entry.isFile() && extname(entry.name) !== '.gz')
+  .map((entry) => join(entry.parentPath, entry.name));
+
+/** Names in comments, in namespaces and in links for people; nothing that a page loads. */
+const HARMLESS = [
+  /^http:\/\/www\.w3\.org\//,
+  /^https:\/\/fontawesome\.com/,
+  /^https:\/\/webawesome\.com\//,
+  /^https:\/\/issues\.chromium\.org\//,
+];
+
+const problems = [];
+let initial_bytes = 0;
+for (const file of files) {
+  const content = readFileSync(file);
+  initial_bytes += gzipSync(content, { level: 9 }).length;
+  for (const [address] of content
+    .toString('latin1')
+    .matchAll(/(?:https?|wss?):\/\/[\w.-]+\.[a-z]{2,}[\w./-]*/g)) {
+    if (!HARMLESS.some((known) => known.test(address)))
+      problems.push(`${file}: address of another origin: ${address}`);
+  }
+}
+if (initial_bytes > LARGEST_INITIAL_BYTES)
+  problems.push(`the bundle has ${initial_bytes} bytes gzipped, ${LARGEST_INITIAL_BYTES} at most`);
+
+for (const problem of problems) console.error(problem);
+console.log(`bundle: ${files.length} files, ${initial_bytes} bytes gzipped`);
+process.exitCode = problems.length > 0 ? 1 : 0;

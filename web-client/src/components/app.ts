@@ -1,0 +1,116 @@
+// The page: bar, picture, panel, messages. Its attributes tell where it stands, for tests and for
+// styling.
+import { css, html, type PropertyValues } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import '@awesome.me/webawesome/dist/components/icon/icon.js';
+import { shared } from '../styles/shared.ts';
+import './help_dialog.ts';
+import './panel.ts';
+import { SessionElement } from './session_element.ts';
+import './toast_stack.ts';
+import './top_bar.ts';
+import './viewport.ts';
+
+@customElement('cutaway-app')
+export class CutawayApp extends SessionElement {
+  protected override readonly draws = ['link', 'shown', 'loading', 'volume', 'panel_open'] as const;
+
+  @property({ attribute: false }) canvas!: HTMLCanvasElement;
+
+  static override styles = [
+    shared,
+    css`
+      :host {
+        display: grid;
+        grid-template: 'bar bar' 52px 'picture panel' minmax(0, 1fr) / minmax(0, 1fr) 348px;
+        height: 100dvh;
+      }
+      :host([data-panel='closed']) {
+        grid-template-columns: minmax(0, 1fr) 0;
+      }
+      cutaway-top-bar {
+        grid-area: bar;
+      }
+      main {
+        grid-area: picture;
+        display: grid;
+        min-width: 0;
+        min-height: 0;
+      }
+      aside {
+        grid-area: panel;
+        display: grid;
+        min-height: 0;
+        border-left: 1px solid var(--line);
+      }
+      :host([data-panel='closed']) aside {
+        display: none;
+      }
+      cutaway-toast-stack {
+        position: fixed;
+        z-index: 10;
+        left: 16px;
+        bottom: 48px;
+        width: min(400px, calc(100vw - 32px));
+      }
+      @media (max-width: 720px) {
+        :host,
+        :host([data-panel='closed']) {
+          grid-template: 'bar' 52px 'picture' minmax(0, 1fr) 'panel' auto / minmax(0, 1fr);
+        }
+        aside,
+        :host([data-panel='closed']) aside {
+          display: grid;
+          border-left: 0;
+        }
+        :host([data-panel='open']) aside {
+          height: min(52dvh, 460px);
+        }
+        cutaway-toast-stack {
+          top: 60px;
+          bottom: auto;
+        }
+      }
+    `,
+  ];
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const { link, shown, loading, volume, panel_open } = this.state;
+    this.mark('connection', link.phase);
+    this.mark('frame', shown?.frame);
+    this.mark('input', shown?.input);
+    this.mark('revision', shown?.revision);
+    this.mark('still', shown && String(shown.still));
+    this.mark('loading', loading?.stage);
+    this.mark('volume', volume?.id);
+    this.mark('panel', panel_open ? 'open' : 'closed');
+  }
+
+  override render() {
+    return html`
+      <cutaway-top-bar role="banner" .session=${this.session}></cutaway-top-bar>
+      <main>
+        <cutaway-viewport .session=${this.session} .canvas=${this.canvas}></cutaway-viewport>
+      </main>
+      <aside aria-label="Volumes and settings">
+        <cutaway-panel .session=${this.session}></cutaway-panel>
+      </aside>
+      <cutaway-toast-stack .session=${this.session}></cutaway-toast-stack>
+      <cutaway-help-dialog .session=${this.session}></cutaway-help-dialog>
+      <div class="visually-hidden" role="status">${this.announcement()}</div>
+    `;
+  }
+
+  private announcement(): string {
+    const { link, loading, volume } = this.state;
+    if (link.phase === 'waiting') return `Disconnected: ${link.reason}. Trying again.`;
+    if (loading) return `Opening: ${loading.stage.replace('_', ' ')}`;
+    return volume ? `Showing ${volume.title}` : '';
+  }
+
+  private mark(name: string, value: string | number | undefined): void {
+    if (value === undefined) delete this.dataset[name];
+    else this.dataset[name] = String(value);
+  }
+}

@@ -1,0 +1,120 @@
+// Gestures and keys.
+import { css, html } from 'lit';
+import { customElement, query } from 'lit/decorators.js';
+import { KEY_BINDINGS } from '../interaction/keyboard.ts';
+import { shared } from '../styles/shared.ts';
+import { SessionElement } from './session_element.ts';
+
+const GESTURES: readonly (readonly [string, string])[] = [
+  ['Drag, or one finger', 'Rotate'],
+  ['Shift or middle drag, or two fingers', 'Pan'],
+  ['Wheel or right drag, or pinch', 'Zoom'],
+  ['Drag the grip in the lens', 'Move the lens over the surface'],
+  ['Alt or Shift + wheel, or drag the rim', 'Resize the lens'],
+];
+
+@customElement('cutaway-help-dialog')
+export class HelpDialog extends SessionElement {
+  protected override readonly draws = ['help_open', 'capabilities'] as const;
+
+  @query('dialog') private dialog!: HTMLDialogElement;
+
+  static override styles = [
+    shared,
+    css`
+      dialog {
+        width: min(560px, calc(100vw - 24px));
+        max-height: calc(100dvh - 24px);
+        padding: 0;
+        border: 1px solid var(--line);
+        border-radius: 14px;
+        background: var(--surface);
+        color: var(--text);
+        box-shadow: var(--shadow);
+      }
+      dialog::backdrop {
+        background: rgb(0 0 0 / 55%);
+      }
+      header {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        padding: 12px 12px 4px 20px;
+      }
+      h2 {
+        font-size: 17px;
+        font-weight: 600;
+      }
+      .body {
+        padding: 0 20px 20px;
+      }
+      h3 {
+        margin: 14px 0 6px;
+        color: var(--text-quiet);
+        font-size: 12px;
+        font-weight: 500;
+      }
+      dl {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
+        gap: 1px;
+      }
+      dt,
+      dd {
+        padding: 5px 0;
+        border-bottom: 1px solid var(--line);
+      }
+      dt {
+        color: var(--accent-strong);
+      }
+      .about {
+        margin-top: 16px;
+      }
+    `,
+  ];
+
+  override updated(): void {
+    const { help_open } = this.state;
+    if (help_open && !this.dialog.open) this.dialog.showModal();
+    if (!help_open && this.dialog.open) this.dialog.close();
+  }
+
+  override render() {
+    const row = (what: string, meaning: string) =>
+      html`<dt>${what}</dt>
+        <dd>${meaning}</dd>`;
+    return html`<dialog
+      aria-labelledby="heading"
+      @close=${() => this.session.commands.toggleHelp(false)}
+      @click=${this.onClick}
+    >
+      <header>
+        <h2 id="heading">Help</h2>
+        <button
+          class="icon-button"
+          aria-label="Close"
+          autofocus
+          @click=${() => this.session.commands.toggleHelp(false)}
+        >
+          <wa-icon name="close"></wa-icon>
+        </button>
+      </header>
+      <div class="body">
+        <h3>Mouse, touchpad, touch</h3>
+        <dl>${GESTURES.map(([what, meaning]) => row(what, meaning))}</dl>
+        <h3>Keys, while the picture has the focus</h3>
+        <dl>${KEY_BINDINGS.map(({ keys, meaning }) => row(keys, meaning))}</dl>
+        <p class="quiet small about">
+          ${this.state.capabilities?.notice ?? 'Not for diagnostic use'}. The letters at the
+          picture's edges are the patient's directions: R and L, A and P, S and I.
+          ${this.state.capabilities?.server ?? ''}
+        </p>
+      </div>
+    </dialog>`;
+  }
+
+  /** A click beside the sheet closes it. */
+  private onClick(event: MouseEvent): void {
+    if (event.target === this.dialog) this.session.commands.toggleHelp(false);
+  }
+}

@@ -1,0 +1,169 @@
+// The panel: beside the picture on a wide page, a sheet from below on a phone. Its tabs stay when
+// it is closed there.
+import { css, html, nothing } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import type { PanelTab } from '../state/viewer_state.ts';
+import { shared } from '../styles/shared.ts';
+import './adjust_tab.ts';
+import { isPhone } from './phone.ts';
+import { SessionElement } from './session_element.ts';
+import './style_gallery.ts';
+import './view_tab.ts';
+import './volume_list.ts';
+
+const TABS: readonly { readonly tab: PanelTab; readonly title: string }[] = [
+  { tab: 'volumes', title: 'Volumes' },
+  { tab: 'styles', title: 'Styles' },
+  { tab: 'adjust', title: 'Adjust' },
+  { tab: 'view', title: 'View' },
+];
+
+@customElement('cutaway-panel')
+export class CutawayPanel extends SessionElement {
+  protected override readonly draws = ['panel_tab', 'panel_open'] as const;
+
+  static override styles = [
+    shared,
+    css`
+      :host {
+        display: flex;
+        flex-direction: column;
+        min-height: 0;
+        background: var(--surface);
+      }
+      [role='tablist'] {
+        display: grid;
+        grid-template-columns: repeat(4, 1fr);
+        flex: none;
+        border-bottom: 1px solid var(--line);
+      }
+      [role='tab'] {
+        position: relative;
+        display: grid;
+        justify-items: center;
+        gap: 2px;
+        padding: 8px 0 7px;
+        border: 0;
+        background: transparent;
+        color: var(--text-quiet);
+        font-size: 12px;
+      }
+      [role='tab']:focus-visible {
+        outline-offset: -3px;
+      }
+      [role='tab'][aria-selected='true'] {
+        color: var(--text);
+      }
+      [role='tab'][aria-selected='true']::after {
+        content: '';
+        position: absolute;
+        inset: auto 20% -1px;
+        height: 2px;
+        border-radius: 1px;
+        background: var(--accent);
+      }
+      [role='tabpanel'] {
+        flex: 1;
+        min-height: 0;
+        padding: 14px;
+        overflow: hidden auto;
+        overscroll-behavior: contain;
+        scrollbar-width: thin;
+        scrollbar-color: var(--line-strong) transparent;
+      }
+      .adjust,
+      .view {
+        padding-top: 2px;
+      }
+      @media (max-width: 720px) {
+        :host {
+          flex-direction: column-reverse;
+        }
+        [role='tablist'] {
+          border-top: 1px solid var(--line);
+          border-bottom: 0;
+          padding-bottom: env(safe-area-inset-bottom);
+        }
+        [role='tab'] {
+          min-height: 56px;
+          align-content: center;
+        }
+        [role='tab'][aria-selected='true']::after {
+          inset: -1px 20% auto;
+        }
+        [role='tabpanel'] {
+          border-top: 1px solid var(--line);
+        }
+      }
+    `,
+  ];
+
+  override render() {
+    const { panel_tab, panel_open } = this.state;
+    return html`
+      <div role="tablist" aria-label="Panel" @keydown=${this.onKey}>
+        ${TABS.map((entry) => this.tab(entry))}
+      </div>
+      ${
+        panel_open
+          ? html`<div
+              role="tabpanel"
+              class=${panel_tab}
+              id="tabpanel"
+              aria-labelledby="tab-${panel_tab}"
+              tabindex="-1"
+            >
+              ${this.content(panel_tab)}
+            </div>`
+          : nothing
+      }
+    `;
+  }
+
+  private tab({ tab, title }: (typeof TABS)[number]) {
+    const { panel_tab, panel_open } = this.state;
+    const chosen = panel_tab === tab;
+    return html`<button
+      role="tab"
+      id="tab-${tab}"
+      aria-selected=${chosen && panel_open ? 'true' : 'false'}
+      tabindex=${chosen ? '0' : '-1'}
+      @click=${() => this.choose(tab)}
+    >
+      <wa-icon name=${tab}></wa-icon>${title}
+    </button>`;
+  }
+
+  /** On a phone the chosen tab again closes the sheet. */
+  private choose(tab: PanelTab): void {
+    const { panel_tab, panel_open } = this.state;
+    if (isPhone() && panel_open && panel_tab === tab) this.session.commands.togglePanel();
+    else this.session.commands.showTab(tab);
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (step === undefined) return;
+    event.preventDefault();
+    const index = TABS.findIndex(({ tab }) => tab === this.state.panel_tab);
+    const next = TABS[(index + step + TABS.length) % TABS.length];
+    if (!next) return;
+    this.session.commands.showTab(next.tab);
+    void this.updateComplete.then(() =>
+      this.renderRoot.querySelector<HTMLElement>(`#tab-${next.tab}`)?.focus(),
+    );
+  }
+
+  private content(tab: PanelTab) {
+    switch (tab) {
+      case 'volumes':
+        return html`<cutaway-volume-list .session=${this.session}></cutaway-volume-list>`;
+      case 'styles':
+        return html`<cutaway-style-gallery .session=${this.session}></cutaway-style-gallery>`;
+      case 'adjust':
+        return html`<cutaway-adjust-tab .session=${this.session}></cutaway-adjust-tab>`;
+      case 'view':
+        return html`<cutaway-view-tab .session=${this.session}></cutaway-view-tab>`;
+    }
+  }
+}

@@ -1,0 +1,61 @@
+// A foldable part of the panel.
+import { css, html, LitElement } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { shared } from '../styles/shared.ts';
+
+@customElement('cutaway-section')
+export class PanelSection extends LitElement {
+  @property() heading = '';
+  @property() hint = '';
+  @property({ type: Boolean }) open = false;
+
+  static override styles = [
+    shared,
+    css`
+      :host {
+        display: block;
+        border-bottom: 1px solid var(--line);
+      }
+      summary {
+        display: flex;
+        align-items: center;
+        gap: 8px;
+        min-height: 44px;
+        padding: 0 2px;
+        cursor: pointer;
+        list-style: none;
+      }
+      summary::-webkit-details-marker {
+        display: none;
+      }
+      summary wa-icon {
+        margin-left: auto;
+        color: var(--text-quiet);
+        transition: transform 160ms;
+      }
+      details[open] summary wa-icon {
+        transform: rotate(180deg);
+      }
+      h3 {
+        font-size: 14px;
+        font-weight: 600;
+      }
+      .body {
+        display: grid;
+        gap: 10px;
+        padding: 2px 2px 18px;
+      }
+    `,
+  ];
+
+  override render() {
+    return html`<details ?open=${this.open}>
+      <summary>
+        <h3>${this.heading}</h3>
+        <span class="quiet small">${this.hint}</span>
+        <wa-icon name="down"></wa-icon>
+      </summary>
+      <div class="body"><slot></slot></div>
+    </details>`;
+  }
+}

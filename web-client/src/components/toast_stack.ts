@@ -1,0 +1,103 @@
+// Messages at the lower edge of the picture. Notes go by themselves, problems stay until they are
+// read.
+import { css, html } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { repeat } from 'lit/directives/repeat.js';
+import type { Toast } from '../state/viewer_state.ts';
+import { shared } from '../styles/shared.ts';
+import { SessionElement } from './session_element.ts';
+
+const NOTE_MS = 4_000;
+const PROBLEM_MS = 15_000;
+
+@customElement('cutaway-toast-stack')
+export class ToastStack extends SessionElement {
+  protected override readonly draws = ['toasts'] as const;
+
+  private readonly timers = new Map<number, ReturnType<typeof setTimeout>>();
+
+  static override styles = [
+    shared,
+    css`
+      :host {
+        display: grid;
+        gap: 8px;
+        pointer-events: none;
+      }
+      .toast {
+        display: flex;
+        gap: 10px;
+        align-items: flex-start;
+        padding: 10px 6px 10px 14px;
+        border: 1px solid var(--line-strong);
+        border-radius: var(--radius);
+        background: rgb(26 33 38 / 97%);
+        box-shadow: var(--shadow);
+        pointer-events: auto;
+        animation: rise 180ms ease-out;
+      }
+      .text {
+        flex: 1;
+        min-width: 0;
+        padding: 6px 0;
+        overflow-wrap: anywhere;
+      }
+      .problem .mark {
+        color: var(--problem);
+      }
+      .note .mark {
+        color: var(--good);
+      }
+      .mark {
+        margin-top: 8px;
+      }
+      strong {
+        display: block;
+        font-weight: 600;
+      }
+      @keyframes rise {
+        from {
+          opacity: 0;
+          transform: translateY(8px);
+        }
+      }
+    `,
+  ];
+
+  override render() {
+    const { toasts } = this.state;
+    return repeat(
+      toasts,
+      ({ id }) => id,
+      (toast) => this.toast(toast),
+    );
+  }
+
+  override updated(): void {
+    for (const { id, tone } of this.state.toasts) {
+      if (this.timers.has(id)) continue;
+      this.timers.set(
+        id,
+        setTimeout(() => this.session.toasts.dismiss(id), tone === 'note' ? NOTE_MS : PROBLEM_MS),
+      );
+    }
+  }
+
+  private toast({ id, tone, title, detail }: Toast) {
+    return html`<div
+      class="toast ${tone}"
+      role=${tone === 'problem' ? 'alert' : 'status'}
+      data-part="toast"
+    >
+      <wa-icon class="mark" name=${tone === 'problem' ? 'warning' : 'check'}></wa-icon>
+      <div class="text"><strong>${title}</strong><span class="quiet small">${detail}</span></div>
+      <button
+        class="icon-button"
+        aria-label="Dismiss"
+        @click=${() => this.session.toasts.dismiss(id)}
+      >
+        <wa-icon name="close"></wa-icon>
+      </button>
+    </div>`;
+  }
+}

@@ -1,0 +1,158 @@
+// Whose picture it is, the connection, and what can be done with the whole view.
+import { css, html, nothing } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import type { LinkState } from '../stream/worker_messages.ts';
+import { volumeFacts } from '../state/volume_text.ts';
+import { shared } from '../styles/shared.ts';
+import { SessionElement } from './session_element.ts';
+
+const LINK_TITLES: Readonly<Record<LinkState['phase'], string>> = {
+  connecting: 'Connecting',
+  connected: 'Connected',
+  waiting: 'Disconnected',
+};
+
+@customElement('cutaway-top-bar')
+export class TopBar extends SessionElement {
+  protected override readonly draws = ['link', 'volume', 'panel_open', 'shown'] as const;
+
+  static override styles = [
+    shared,
+    css`
+      :host {
+        display: flex;
+        align-items: center;
+        gap: 12px;
+        min-width: 0;
+        padding: 0 8px 0 14px;
+        border-bottom: 1px solid var(--line);
+        background: var(--surface);
+      }
+      .brand {
+        display: flex;
+        align-items: center;
+        gap: 9px;
+        font-weight: 650;
+        letter-spacing: 0.01em;
+      }
+      .brand img {
+        width: 24px;
+        height: 24px;
+        border-radius: 6px;
+      }
+      .volume {
+        flex: 1;
+        min-width: 0;
+        padding-left: 14px;
+        border-left: 1px solid var(--line);
+        line-height: 1.25;
+      }
+      .volume > * {
+        display: block;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .title {
+        font-weight: 550;
+      }
+      .link {
+        display: flex;
+        align-items: center;
+        gap: 7px;
+        color: var(--text-quiet);
+        font-size: 12px;
+      }
+      .dot {
+        width: 8px;
+        height: 8px;
+        border-radius: 50%;
+        background: var(--warning);
+      }
+      .connected .dot {
+        background: var(--good);
+      }
+      .waiting .dot {
+        background: var(--problem);
+      }
+      nav {
+        display: flex;
+        gap: 2px;
+      }
+      @media (max-width: 720px) {
+        :host {
+          padding-right: 2px;
+          gap: 8px;
+        }
+        .brand span,
+        .link span:last-child,
+        .panel-toggle,
+        .save {
+          position: absolute;
+          width: 1px;
+          height: 1px;
+          overflow: hidden;
+          clip-path: inset(50%);
+        }
+        .panel-toggle,
+        .save {
+          display: none;
+        }
+        .volume {
+          padding-left: 10px;
+        }
+        nav {
+          gap: 0;
+        }
+      }
+    `,
+  ];
+
+  override render() {
+    const { link, volume, panel_open, shown } = this.state;
+    const { commands } = this.session;
+    return html`
+      <div class="brand"><img src="./favicon.svg" alt="" /><span>Cutaway</span></div>
+      <div class="volume" data-part="volume-title">
+        ${
+          volume
+            ? html`<span class="title">${volume.title}</span
+                ><span class="quiet small">${volumeFacts(volume)}</span>`
+            : nothing
+        }
+      </div>
+      <div class="link ${link.phase}">
+        <span class="dot"></span><span>${LINK_TITLES[link.phase]}</span>
+      </div>
+      <nav aria-label="View">
+        ${this.button('link', 'Copy a link to this view', () => void this.copyLink(), !volume)}
+        ${this.button('save', 'Save the picture as PNG', () => commands.saveStill(), !shown, 'save')}
+        ${this.button('help', 'Help and keys', () => commands.toggleHelp(true))}
+        ${this.button('panel', panel_open ? 'Hide the panel' : 'Show the panel', () => commands.togglePanel(), false, 'panel-toggle')}
+      </nav>
+    `;
+  }
+
+  private button(icon: string, label: string, action: () => void, disabled = false, extra = '') {
+    return html`<button
+      class="icon-button ${extra}"
+      aria-label=${label}
+      title=${label}
+      ?disabled=${disabled}
+      @click=${action}
+    >
+      <wa-icon name=${icon}></wa-icon>
+    </button>`;
+  }
+
+  private async copyLink(): Promise<void> {
+    const address = await this.session.commands.sceneLink();
+    if (!address) return;
+    try {
+      await navigator.clipboard.writeText(address);
+      this.session.toasts.note('The link to this view is in the clipboard');
+    } catch {
+      this.session.toasts.note('The link to this view is in the address bar');
+    }
+  }
+}

@@ -1,0 +1,175 @@
+// The picture and what lies over it.
+import { css, html, nothing } from 'lit';
+import { customElement, property, query } from 'lit/decorators.js';
+import { classMap } from 'lit/directives/class-map.js';
+import { applyKey } from '../interaction/keyboard.ts';
+import { PointerGestures } from '../interaction/pointer_gestures.ts';
+import { observeViewport, withinLimits } from '../interaction/viewport_size.ts';
+import { listenToWheel } from '../interaction/wheel.ts';
+import type { Viewport } from '../view/camera.ts';
+import { shared } from '../styles/shared.ts';
+import './lens_overlay.ts';
+import './loading_card.ts';
+import './orientation_cube.ts';
+import './orientation_marks.ts';
+import './picture_notices.ts';
+import { SessionElement } from './session_element.ts';
+
+@customElement('cutaway-viewport')
+export class CutawayViewport extends SessionElement {
+  protected override readonly draws = [
+    'link',
+    'shown',
+    'loading',
+    'volumes',
+    'capabilities',
+    'viewport',
+  ] as const;
+
+  @property({ attribute: false }) canvas!: HTMLCanvasElement;
+  @query('.stage') private stage!: HTMLElement;
+
+  private observer: ResizeObserver | undefined;
+  private size: Viewport | undefined;
+
+  static override styles = [
+    shared,
+    css`
+      :host {
+        position: relative;
+        display: block;
+        overflow: hidden;
+        background: var(--page);
+      }
+      .stage {
+        position: absolute;
+        inset: 0;
+        cursor: grab;
+        touch-action: none;
+        user-select: none;
+        -webkit-user-select: none;
+      }
+      .stage:active {
+        cursor: grabbing;
+      }
+      .stage:focus-visible {
+        outline-offset: -2px;
+      }
+      canvas {
+        display: block;
+        width: 100%;
+        height: 100%;
+        object-fit: contain;
+        transition:
+          opacity 200ms,
+          filter 200ms;
+      }
+      .offline canvas {
+        opacity: 0.4;
+        filter: grayscale(0.6);
+      }
+      .banner {
+        position: absolute;
+        top: 44px;
+        left: 50%;
+        transform: translateX(-50%);
+        display: flex;
+        gap: 12px;
+        align-items: center;
+        width: max-content;
+        max-width: calc(100% - 32px);
+        padding: 10px 14px;
+        border: 1px solid var(--line-strong);
+        border-radius: var(--radius);
+        background: rgb(18 23 27 / 94%);
+        box-shadow: var(--shadow);
+      }
+      .empty {
+        position: absolute;
+        inset: 0;
+        display: grid;
+        place-content: center;
+        justify-items: center;
+        gap: 6px;
+        padding: 24px;
+        text-align: center;
+        color: var(--text-quiet);
+        pointer-events: none;
+      }
+    `,
+  ];
+
+  override firstUpdated(): void {
+    const { commands } = this.session;
+    const device_pixels = (): number =>
+      (this.size?.width_px ?? 1) / Math.max(1, this.stage.clientWidth);
+    new PointerGestures(this.stage, commands, device_pixels);
+    listenToWheel(this, commands);
+    this.stage.addEventListener('pointerdown', () => this.stage.focus({ preventScroll: true }));
+    this.stage.addEventListener('keydown', (event) => applyKey(event, commands, device_pixels()));
+    this.observer = observeViewport(this.canvas, (size) => this.resized(size));
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.observer?.disconnect();
+  }
+
+  /** The server's limits may come after the element has its size, or change with a new server. */
+  override updated(): void {
+    if (this.size) this.resized(this.size);
+  }
+
+  private resized(size: Viewport): void {
+    const limits = this.state.capabilities?.limits;
+    const wanted = limits
+      ? withinLimits(size, limits.viewport_side_px, limits.viewport_pixels)
+      : size;
+    this.size = wanted;
+    const { viewport } = this.state;
+    if (viewport?.width_px !== wanted.width_px || viewport.height_px !== wanted.height_px)
+      this.session.commands.resize(wanted);
+  }
+
+  override render() {
+    const offline = this.state.link.phase !== 'connected';
+    return html`
+      <div
+        class="stage ${classMap({ offline: offline && this.state.shown !== undefined })}"
+        tabindex="0"
+        role="application"
+        aria-label="3-D picture"
+        aria-description="Arrow keys rotate, plus and minus zoom, Shift and arrows move the lens. Question mark lists all keys."
+        data-part="stage"
+      >
+        ${this.canvas}
+      </div>
+      <cutaway-lens-overlay .session=${this.session}></cutaway-lens-overlay>
+      <cutaway-orientation-marks .session=${this.session}></cutaway-orientation-marks>
+      <cutaway-orientation-cube .session=${this.session}></cutaway-orientation-cube>
+      <cutaway-picture-notices .session=${this.session}></cutaway-picture-notices>
+      ${this.emptyNote()} ${this.offlineBanner()}
+      <cutaway-loading-card .session=${this.session}></cutaway-loading-card>
+    `;
+  }
+
+  private emptyNote() {
+    const { shown, loading, link, capabilities, volumes } = this.state;
+    if (shown || loading || link.phase === 'waiting') return nothing;
+    const nothing_there = capabilities !== undefined && volumes.length === 0;
+    return html`<div class="empty">
+      ${nothing_there ? 'The server has no volumes to show.' : link.phase === 'connecting' ? 'Connecting…' : 'Preparing the picture…'}
+    </div>`;
+  }
+
+  private offlineBanner() {
+    const { link } = this.state;
+    if (link.phase !== 'waiting') return nothing;
+    return html`<div class="banner">
+      <span>Reconnecting: ${link.reason}.</span>
+      <button class="text-button" @click=${() => this.session.commands.connectNow()}>
+        Try now
+      </button>
+    </div>`;
+  }
+}

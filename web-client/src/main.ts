@@ -1,0 +1,26 @@
+// Wiring only: the canvas, the session that paints on it, and the page around them.
+import './styles/theme.css';
+import './icons/register.ts';
+import { CutawayApp } from './components/app.ts';
+import { isPhone } from './components/phone.ts';
+import { keepSceneInAddress } from './session/address_bar.ts';
+import { openViewerSession } from './session/viewer_session.ts';
+import { webSocketUrl } from './stream/stream.ts';
+
+function saveFile(name: string, content: Blob): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(content);
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+
+const canvas = document.createElement('canvas');
+const session = openViewerSession(canvas, webSocketUrl(location), saveFile);
+if (isPhone()) session.store.update({ panel_open: false });
+keepSceneInAddress(session);
+
+const app = new CutawayApp();
+app.session = session;
+app.canvas = canvas;
+document.body.append(app);

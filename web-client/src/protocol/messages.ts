@@ -1,0 +1,22 @@
+// The protocol's types, by the names that this client uses; all of them are generated from
+// protocol/schema.
+export type {
+  CapabilitiesMessage,
+  ClientMessage,
+  ErrorMessage,
+  LoadingMessage,
+  ModuleDescription,
+  ModuleRegistries,
+  ParameterDescription,
+  PickedMessage,
+  RefusedEntry,
+  Scene,
+  SceneMessage,
+  SceneStateMessage,
+  ServerMessage,
+  Style,
+  VolumeEntry,
+  VolumeSummary,
+  VolumesMessage,
+} from './generated/protocol.ts';
+export { SCENE_FIELDS } from './generated/scene_fields.ts';

@@ -1,0 +1,146 @@
+// What a user can do, by name. Components, pointer and keys all call these.
+import { nestedPatch, type Json, type JsonObject } from '../state/merge_patch.ts';
+import { sceneToAddress } from '../state/scene_address.ts';
+import { shownCamera, viewCamera } from '../state/scene_parts.ts';
+import { stylePatch } from '../state/style_patch.ts';
+import type { Store } from '../state/store.ts';
+import type { PanelTab, ViewerState } from '../state/viewer_state.ts';
+import type { Stream } from '../stream/stream.ts';
+import { projectPx, type Camera, type Point, type Viewport } from '../view/camera.ts';
+import { lookFrom, orbitByPixels, panByPixels, roll, zoom } from '../view/camera_motion.ts';
+import type { StandardView } from '../view/orientation.ts';
+import { Counter } from '../protocol/counter.ts';
+import { SCENE_FIELDS, type Style } from '../protocol/messages.ts';
+import type { SceneLink } from './scene_link.ts';
+
+const SMALLEST_LENS_MM = 1;
+
+export class Commands {
+  private readonly requests = new Counter();
+
+  constructor(
+    private readonly store: Store<ViewerState>,
+    private readonly link: SceneLink,
+    private readonly stream: Stream,
+  ) {}
+
+  change(patch: JsonObject): void {
+    this.link.change(patch);
+  }
+
+  set(path: readonly string[], value: Json): void {
+    this.link.change(nestedPatch(path, value));
+  }
+
+  orbit(dx_px: number, dy_px: number): void {
+    this.move((camera, viewport) => orbitByPixels(camera, viewport, dx_px, dy_px));
+  }
+
+  pan(dx_px: number, dy_px: number): void {
+    this.move((camera, viewport) => panByPixels(camera, viewport, dx_px, dy_px));
+  }
+
+  zoom(magnification: number): void {
+    this.move((camera) => zoom(camera, magnification));
+  }
+
+  roll(angle_radians: number): void {
+    this.move((camera) => roll(camera, angle_radians));
+  }
+
+  look({ towards_eye, up }: StandardView): void {
+    this.move((camera) => lookFrom(camera, towards_eye, up));
+  }
+
+  /** Back to the view that the server chooses for the volume. */
+  resetView(): void {
+    this.link.sendPatch({ camera: null, lens: { centre_mm: null, radius_mm: null } });
+  }
+
+  dragLens(position_px: Point): void {
+    this.link.dragLens(position_px);
+  }
+
+  /** Moves the lens over the surface by a distance in the picture. */
+  nudgeLens(dx_px: number, dy_px: number): void {
+    const { shown_scene, viewport } = this.store.state;
+    const camera = shownCamera(this.store.state);
+    const centre_mm = shown_scene?.lens?.centre_mm;
+    if (!camera || !viewport || !centre_mm) return;
+    const centre_px = projectPx(camera, viewport, centre_mm);
+    if (centre_px) this.link.dragLens([centre_px[0] + dx_px, centre_px[1] + dy_px]);
+  }
+
+  setLensRadius(radius_mm: number): void {
+    const largest_mm = Math.min(
+      SCENE_FIELDS['lens.radius_mm'].maximum,
+      this.store.state.volume?.diagonal_mm ?? Infinity,
+    );
+    this.set(['lens', 'radius_mm'], Math.min(largest_mm, Math.max(SMALLEST_LENS_MM, radius_mm)));
+  }
+
+  scaleLens(factor: number): void {
+    const radius_mm = this.store.state.scene?.lens?.radius_mm;
+    if (radius_mm !== undefined) this.setLensRadius(radius_mm * factor);
+  }
+
+  toggleLens(): void {
+    const mode = this.store.state.scene?.lens?.mode;
+    this.set(['lens', 'mode'], mode === 'none' ? 'cutaway' : 'none');
+  }
+
+  applyStyle(style: Style): void {
+    const { capabilities } = this.store.state;
+    if (capabilities) this.link.sendPatch(stylePatch(style, capabilities.modules));
+  }
+
+  /** The server chooses camera, lens and iso-values for the new volume. */
+  openVolume(id: string): void {
+    this.link.openVolume(id);
+  }
+
+  cancelLoad(): void {
+    this.stream.send({ type: 'cancel_load' });
+  }
+
+  resize(viewport: Viewport): void {
+    this.store.update({ viewport });
+    this.link.sendViewport(viewport);
+  }
+
+  /** The picture comes as a file once the server has rendered it. */
+  saveStill(): void {
+    const { viewport } = this.store.state;
+    if (viewport)
+      this.stream.send({ type: 'save_still', request: this.requests.next(), ...viewport });
+  }
+
+  async sceneLink(): Promise<string | undefined> {
+    const { scene } = this.store.state;
+    return scene && `${location.href.split('#')[0]}${await sceneToAddress(scene as JsonObject)}`;
+  }
+
+  connectNow(): void {
+    this.stream.connectNow();
+  }
+
+  showTab(panel_tab: PanelTab): void {
+    this.store.update({ panel_tab, panel_open: true });
+  }
+
+  togglePanel(): void {
+    this.store.update({ panel_open: !this.store.state.panel_open });
+  }
+
+  toggleHelp(help_open = !this.store.state.help_open): void {
+    this.store.update({ help_open });
+  }
+
+  private move(motion: (camera: Camera, viewport: Viewport) => Camera): void {
+    const { viewport } = this.store.state;
+    const camera = viewCamera(this.store.state);
+    if (!camera || !viewport) return;
+    const { eye_mm, target_mm, up, ...lens } = motion(camera, viewport);
+    this.link.change({ camera: { eye_mm, target_mm, up, ...lens } });
+  }
+}

@@ -1,0 +1,118 @@
+// Sends changes of the scene and keeps the page's scene in step with the server's.
+import { Counter } from '../protocol/counter.ts';
+import type { ErrorMessage, Scene, SceneStateMessage } from '../protocol/messages.ts';
+import type { JsonObject } from '../state/merge_patch.ts';
+import { SceneSync } from '../state/scene_sync.ts';
+import { ShownView } from '../state/shown_view.ts';
+import type { Store } from '../state/store.ts';
+import type { ViewerState } from '../state/viewer_state.ts';
+import type { Stream } from '../stream/stream.ts';
+import type { ShownFrame } from '../stream/worker_messages.ts';
+import type { Point, Viewport } from '../view/camera.ts';
+import { Outbox, type OutboxSender } from './outbox.ts';
+
+const clockMs = (): number => performance.timeOrigin + performance.now();
+
+export class SceneLink implements OutboxSender {
+  private readonly inputs = new Counter();
+  private readonly sync = new SceneSync();
+  private readonly shown_view = new ShownView();
+  private readonly outbox = new Outbox(this);
+
+  constructor(
+    private readonly store: Store<ViewerState>,
+    private readonly stream: Stream,
+  ) {}
+
+  /**
+   * Shows on the page at once, and goes out with the next animation frame. `patch` holds no nulls.
+   */
+  change(patch: JsonObject): void {
+    this.sync.stage(patch);
+    this.outbox.change(patch);
+    this.publish();
+  }
+
+  dragLens(position_px: Point): void {
+    this.outbox.dragLens(position_px);
+  }
+
+  /** Goes out now. Returns its input number. */
+  sendPatch(patch: JsonObject): number {
+    this.outbox.flush();
+    const input = this.sendScene(patch, false);
+    this.sync.sent(input, patch);
+    this.publish();
+    this.remember(input);
+    return input;
+  }
+
+  /**
+   * The old volume stands until the server says that the new one is open, so the page's scene does
+   * not change yet.
+   */
+  openVolume(id: string): void {
+    this.outbox.flush();
+    this.sendScene({ volume: id }, false);
+  }
+
+  sendLensDrag(position_px: Point): void {
+    this.sync.lensDragged();
+    this.stream.send({ type: 'drag_lens', ...this.stamp(), position_px: [...position_px] });
+  }
+
+  sendViewport(viewport: Viewport): void {
+    this.outbox.flush();
+    this.stream.send({ type: 'viewport', ...this.stamp(), ...viewport });
+  }
+
+  /** Starts the session's scene anew with a whole document. Returns its input number. */
+  replace(scene: JsonObject): number {
+    this.outbox.discard();
+    return this.sendScene(scene, true);
+  }
+
+  /** A new connection: what the page shows stays, the server knows nothing. */
+  restart(): void {
+    this.outbox.discard();
+    this.sync.restart(this.sync.scene);
+    this.shown_view.restart(this.store.state.scene);
+  }
+
+  told(message: SceneStateMessage): void {
+    this.sync.told(message.scene as JsonObject);
+    this.publish();
+    if (this.store.state.scene)
+      this.shown_view.changedByServer(message.revision, this.store.state.scene);
+  }
+
+  shown(frame: ShownFrame): Scene | undefined {
+    this.sync.shown(frame.input);
+    return this.shown_view.sceneOf(frame);
+  }
+
+  refused(error: ErrorMessage): void {
+    if (error.input === undefined) return;
+    this.sync.refused(error.input);
+    this.publish();
+  }
+
+  private sendScene(scene: JsonObject, replace: boolean): number {
+    const stamp = this.stamp();
+    this.stream.send({ type: 'scene', ...stamp, scene: { ...scene }, ...(replace && { replace }) });
+    return stamp.input;
+  }
+
+  private stamp(): { input: number; clock_ms: number } {
+    return { input: this.inputs.next(), clock_ms: clockMs() };
+  }
+
+  private publish(): void {
+    this.store.update({ scene: this.sync.scene });
+  }
+
+  private remember(input: number): void {
+    const { scene } = this.store.state;
+    if (scene) this.shown_view.changedByInput(input, scene);
+  }
+}

@@ -1,0 +1,76 @@
+// Which scene a session begins with: the one it showed before, else the address', else the first
+// volume in the first style.
+import type { ErrorMessage, Scene } from '../protocol/messages.ts';
+import { SceneAddressError, sceneFromAddress } from '../state/scene_address.ts';
+import type { JsonObject } from '../state/merge_patch.ts';
+import type { Store } from '../state/store.ts';
+import type { ViewerState } from '../state/viewer_state.ts';
+import { errorDetail } from '../state/error_text.ts';
+import type { SceneLink } from './scene_link.ts';
+import type { Toasts } from './toasts.ts';
+
+export class SceneOpening {
+  private begun = false;
+  /** The input under which a whole scene was asked for, and what to say should it be refused. */
+  private asked: { readonly input: number; readonly refusal: string } | undefined;
+
+  constructor(
+    private readonly store: Store<ViewerState>,
+    private readonly link: SceneLink,
+    private readonly toasts: Toasts,
+  ) {}
+
+  /** A new connection. */
+  restart(): void {
+    this.begun = false;
+    this.asked = undefined;
+  }
+
+  /** Once capabilities and volumes are known. */
+  async begin(address: string): Promise<void> {
+    const { capabilities, volumes, scene } = this.store.state;
+    if (this.begun || !capabilities || volumes.length === 0) return;
+    this.begun = true;
+    if (scene)
+      this.ask(scene as JsonObject, 'The view before the interruption could not be restored');
+    else if (!(await this.openAddress(address))) this.openDefault();
+  }
+
+  /** Whether the address holds a scene that can be read. */
+  async openAddress(address: string): Promise<boolean> {
+    try {
+      const scene = await sceneFromAddress(address);
+      if (scene) this.ask(scene, 'This link could not be opened');
+      return scene !== undefined;
+    } catch (error) {
+      if (!(error instanceof SceneAddressError)) throw error;
+      this.toasts.problem(
+        'This link could not be opened',
+        `${error.message}. A new view was opened instead.`,
+      );
+      return false;
+    }
+  }
+
+  /** Whether the error answers the whole scene that was asked for; if so another one is opened. */
+  refused(error: ErrorMessage): boolean {
+    const { asked } = this;
+    if (!asked || error.input !== asked.input) return false;
+    this.asked = undefined;
+    this.toasts.problem(asked.refusal, errorDetail(error));
+    this.openDefault();
+    return true;
+  }
+
+  private ask(scene: JsonObject, refusal: string): void {
+    this.asked = { input: this.link.replace(scene), refusal };
+  }
+
+  private openDefault(): void {
+    const { capabilities, volumes } = this.store.state;
+    const [volume] = volumes;
+    if (!volume) return;
+    const scene: Scene = { ...capabilities?.styles[0]?.scene, volume: volume.id };
+    this.link.replace(scene as JsonObject);
+  }
+}

@@ -1,0 +1,122 @@
+// Brings the stream's events into the state.
+import { errorDetail, errorTitle } from '../state/error_text.ts';
+import { Store } from '../state/store.ts';
+import { INITIAL_STATE, type ViewerState } from '../state/viewer_state.ts';
+import type { ErrorMessage, LoadingMessage, ServerMessage } from '../protocol/messages.ts';
+import { WorkerStream, type Stream } from '../stream/stream.ts';
+import type { FromWorker, LinkState, ShownFrame } from '../stream/worker_messages.ts';
+import { Commands } from './commands.ts';
+import { FrameRate } from './frame_rate.ts';
+import { SceneLink } from './scene_link.ts';
+import { SceneOpening } from './scene_opening.ts';
+import { Toasts } from './toasts.ts';
+
+const LAST_STAGES: ReadonlySet<LoadingMessage['stage']> = new Set(['ready', 'cancelled', 'failed']);
+
+export type SaveFile = (name: string, content: Blob) => void;
+
+export interface SessionParts {
+  /** Connects at once; events come later, never from inside of this call. */
+  readonly openStream: (listener: (event: FromWorker) => void) => Stream;
+  readonly address: () => string;
+  readonly saveFile: SaveFile;
+}
+
+export class ViewerSession {
+  readonly store = new Store<ViewerState>(INITIAL_STATE);
+  readonly toasts = new Toasts(this.store);
+  readonly commands: Commands;
+  private readonly link: SceneLink;
+  private readonly opening: SceneOpening;
+  private readonly frame_rate = new FrameRate();
+
+  constructor(private readonly parts: SessionParts) {
+    const stream = parts.openStream((event) => this.onEvent(event));
+    this.link = new SceneLink(this.store, stream);
+    this.opening = new SceneOpening(this.store, this.link, this.toasts);
+    this.commands = new Commands(this.store, this.link, stream);
+  }
+
+  /** The user has put another link into the address. */
+  async openAddress(): Promise<void> {
+    await this.opening.openAddress(this.parts.address());
+  }
+
+  private onEvent(event: FromWorker): void {
+    switch (event.kind) {
+      case 'link':
+        return this.onLink(event.state);
+      case 'message':
+        return this.onMessage(event.message);
+      case 'shown':
+        return this.onShown(event.frame);
+      case 'saved_still':
+        return this.parts.saveFile(this.stillName(), event.png);
+      case 'fault':
+        return this.toasts.problem('Something unexpected came from the server', event.text);
+    }
+  }
+
+  private onLink(link: LinkState): void {
+    this.store.update({ link });
+    if (link.phase !== 'connected') return;
+    this.store.update({ loading: undefined, capabilities: undefined });
+    this.link.restart();
+    this.opening.restart();
+    if (this.store.state.viewport) this.link.sendViewport(this.store.state.viewport);
+  }
+
+  private onMessage(message: ServerMessage): void {
+    switch (message.type) {
+      case 'capabilities':
+        return this.store.update({ capabilities: message });
+      case 'volumes': {
+        this.store.update({ volumes: message.volumes, refused: message.refused });
+        return void this.opening.begin(this.parts.address());
+      }
+      case 'loading':
+        return this.onLoading(message);
+      case 'scene': {
+        this.link.told(message);
+        return this.store.update({ volume: message.volume });
+      }
+      case 'error':
+        return this.onError(message);
+      case 'picked':
+        return;
+    }
+  }
+
+  private onLoading(loading: LoadingMessage): void {
+    this.store.update({ loading: LAST_STAGES.has(loading.stage) ? undefined : loading });
+    if (loading.stage === 'cancelled') this.toasts.note('Opening was cancelled');
+  }
+
+  private onError(error: ErrorMessage): void {
+    this.link.refused(error);
+    if (this.opening.refused(error)) return;
+    this.toasts.problem(errorTitle(error), errorDetail(error));
+  }
+
+  private onShown(shown: ShownFrame): void {
+    const frames_per_second = this.frame_rate.shown(performance.now());
+    this.store.update({ shown, shown_scene: this.link.shown(shown), frames_per_second });
+  }
+
+  private stillName(): string {
+    const title = this.store.state.volume?.title ?? 'picture';
+    return `cutaway ${title.replaceAll(/[^\p{L}\p{N}]+/gu, ' ').trim()}.png`;
+  }
+}
+
+export function openViewerSession(
+  canvas: HTMLCanvasElement,
+  url: string,
+  saveFile: SaveFile,
+): ViewerSession {
+  return new ViewerSession({
+    openStream: (listener) => new WorkerStream(canvas, url, listener),
+    address: () => location.hash,
+    saveFile,
+  });
+}

@@ -1,0 +1,79 @@
+// Controls of the modules that a scene is made of, from the registries in `capabilities`.
+import type { ModuleDescription, ParameterDescription, Scene } from '../protocol/messages.ts';
+import { parameterControl, type ChoiceControl, type Control } from './controls.ts';
+import {
+  isObject,
+  nestedPatch,
+  textOf,
+  valueAt,
+  type Json,
+  type JsonObject,
+} from './merge_patch.ts';
+
+export interface ControlLevels {
+  readonly basic: readonly Control[];
+  readonly advanced: readonly Control[];
+}
+
+export function controlLevels(
+  description: ModuleDescription,
+  module: JsonObject,
+  toPatch: (parameter: string, value: Json) => JsonObject,
+  id: string,
+): ControlLevels {
+  const level = (wanted: ParameterDescription['level']): Control[] =>
+    description.parameters
+      .filter((parameter) => parameter.level === wanted)
+      .map((parameter) =>
+        parameterControl(parameter, module, (value) => toPatch(parameter.name, value), id),
+      );
+  return { basic: level('basic'), advanced: level('advanced') };
+}
+
+const moduleAt = (scene: Scene, path: readonly string[]): JsonObject => {
+  const module = valueAt(scene as Json, path);
+  return isObject(module) ? module : {};
+};
+
+export interface ModuleModel {
+  readonly choice: ChoiceControl;
+  readonly description: string;
+  readonly controls: ControlLevels;
+}
+
+/**
+ * A place in the scene that takes one module of a registry: a branch's shading, the lens' shape.
+ */
+export function moduleModel(
+  label: string,
+  path: readonly string[],
+  registry: readonly ModuleDescription[],
+  scene: Scene,
+): ModuleModel {
+  const module = moduleAt(scene, path);
+  const name = textOf(module['name'], registry[0]?.name);
+  const description = registry.find((entry) => entry.name === name);
+  const id = path.join('-');
+  const choices = registry.map((entry) => ({ value: entry.name, label: entry.title }));
+  const toPatch = (value: Json): JsonObject => nestedPatch([...path, 'name'], value);
+  return {
+    choice: {
+      kind: 'choice',
+      id: `${id}-name`,
+      label,
+      description: '',
+      value: name,
+      choices,
+      toPatch,
+    },
+    description: description?.description ?? '',
+    controls: description
+      ? controlLevels(
+          description,
+          module,
+          (parameter, value) => nestedPatch([...path, parameter], value),
+          id,
+        )
+      : { basic: [], advanced: [] },
+  };
+}

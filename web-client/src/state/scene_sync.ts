@@ -1,0 +1,85 @@
+// The scene as this page sees it: what the server last said, and on top of it the page's own
+// changes that the server's word may not contain yet. So a slider stays where it was put while
+// older answers arrive, and a refused change goes back to the last good value.
+import { isAfter } from '../protocol/counter.ts';
+import { isObject, mergePatch, type Json, type JsonObject } from './merge_patch.ts';
+
+interface PendingChange {
+  readonly input: number;
+  readonly patch: JsonObject;
+}
+
+/** Nulls ask the server to choose; until it has, the old value stays. */
+function withoutNulls(patch: JsonObject): JsonObject {
+  const kept = Object.entries(patch).filter(([, value]) => value !== null);
+  const clean = ([key, value]: [string, Json]): [string, Json] => [
+    key,
+    isObject(value) ? withoutNulls(value) : value,
+  ];
+  return Object.fromEntries(kept.map(clean));
+}
+
+function withoutLensCentre(patch: JsonObject): JsonObject {
+  const lens = patch['lens'];
+  if (!isObject(lens)) return patch;
+  const kept = Object.entries(lens).filter(([key]) => key !== 'centre_mm');
+  return { ...patch, lens: Object.fromEntries(kept) };
+}
+
+export class SceneSync {
+  private base: JsonObject | undefined;
+  private pending: readonly PendingChange[] = [];
+  private staged: readonly JsonObject[] = [];
+
+  /** Nothing before the first scene is known. */
+  get scene(): JsonObject | undefined {
+    if (!this.base) return undefined;
+    const patches = [...this.pending.map((change) => change.patch), ...this.staged];
+    return patches.reduce(mergePatch, this.base);
+  }
+
+  /** A change that will be sent, with others, within this animation frame. */
+  stage(patch: JsonObject): void {
+    this.staged = [...this.staged, patch];
+  }
+
+  /** `patch` went out under this number; it holds all that was staged. */
+  sent(input: number, patch: JsonObject): void {
+    this.staged = [];
+    this.pending = [...this.pending, { input, patch: withoutNulls(patch) }];
+  }
+
+  /** From here on the server says where the lens is. */
+  lensDragged(): void {
+    this.pending = this.pending.map(({ input, patch }) => ({
+      input,
+      patch: withoutLensCentre(patch),
+    }));
+  }
+
+  /**
+   * The server's whole scene. It may be older than the pending changes, which hence stay on top.
+   */
+  told(scene: JsonObject): void {
+    this.base = scene;
+  }
+
+  /** A picture shows `input`: every change up to it has reached the server. */
+  shown(input: number): void {
+    if (!this.base) return;
+    const reached = this.pending.filter((change) => !isAfter(change.input, input));
+    this.base = reached.reduce((scene, change) => mergePatch(scene, change.patch), this.base);
+    this.pending = this.pending.filter((change) => isAfter(change.input, input));
+  }
+
+  refused(input: number): void {
+    this.pending = this.pending.filter((change) => change.input !== input);
+  }
+
+  /** A new session knows nothing; what it is sent as a whole becomes the base. */
+  restart(scene: JsonObject | undefined): void {
+    this.base = scene;
+    this.pending = [];
+    this.staged = [];
+  }
+}

@@ -1,0 +1,58 @@
+// All that the page shows, in one place.
+import type {
+  CapabilitiesMessage,
+  LoadingMessage,
+  RefusedEntry,
+  Scene,
+  VolumeEntry,
+  VolumeSummary,
+} from '../protocol/messages.ts';
+import type { LinkState, ShownFrame } from '../stream/worker_messages.ts';
+import type { Viewport } from '../view/camera.ts';
+
+export interface Toast {
+  readonly id: number;
+  readonly tone: 'problem' | 'note';
+  readonly title: string;
+  readonly detail: string;
+}
+
+export type PanelTab = 'volumes' | 'styles' | 'adjust' | 'view';
+
+export interface ViewerState {
+  readonly link: LinkState;
+  readonly capabilities: CapabilitiesMessage | undefined;
+  readonly volumes: readonly VolumeEntry[];
+  readonly refused: readonly RefusedEntry[];
+  readonly loading: LoadingMessage | undefined;
+  /** What the user has set; ahead of the picture. */
+  readonly scene: Scene | undefined;
+  readonly volume: VolumeSummary | undefined;
+  readonly viewport: Viewport | undefined;
+  readonly shown: ShownFrame | undefined;
+  /** What the picture shows; behind `scene` by its latency. */
+  readonly shown_scene: Scene | undefined;
+  readonly frames_per_second: number;
+  readonly toasts: readonly Toast[];
+  readonly panel_tab: PanelTab;
+  readonly panel_open: boolean;
+  readonly help_open: boolean;
+}
+
+export const INITIAL_STATE: ViewerState = {
+  link: { phase: 'connecting' },
+  capabilities: undefined,
+  volumes: [],
+  refused: [],
+  loading: undefined,
+  scene: undefined,
+  volume: undefined,
+  viewport: undefined,
+  shown: undefined,
+  shown_scene: undefined,
+  frames_per_second: 0,
+  toasts: [],
+  panel_tab: 'styles',
+  panel_open: true,
+  help_open: false,
+};

@@ -1,0 +1,29 @@
+// What the page and its stream worker say to each other.
+import type { FrameHeader } from '../protocol/frame_header.ts';
+import type { ClientMessage, ServerMessage } from '../protocol/messages.ts';
+
+export type ToWorker =
+  | { readonly kind: 'start'; readonly url: string; readonly canvas: OffscreenCanvas }
+  | { readonly kind: 'send'; readonly message: ClientMessage }
+  /** Do not wait for the next attempt to connect. */
+  | { readonly kind: 'connect_now' };
+
+export interface ShownFrame extends FrameHeader {
+  readonly bytes: number;
+  /** On the page's clock, from the input that the picture shows to its painting. */
+  readonly latency_ms: number;
+}
+
+export type LinkState =
+  | { readonly phase: 'connecting' }
+  | { readonly phase: 'connected' }
+  /** `reason` in words, for the user. */
+  | { readonly phase: 'waiting'; readonly retry_in_ms: number; readonly reason: string };
+
+export type FromWorker =
+  | { readonly kind: 'link'; readonly state: LinkState }
+  | { readonly kind: 'message'; readonly message: ServerMessage }
+  | { readonly kind: 'shown'; readonly frame: ShownFrame }
+  | { readonly kind: 'saved_still'; readonly request: number; readonly png: Blob }
+  /** Something came that is no part of the protocol, or could not be decoded. */
+  | { readonly kind: 'fault'; readonly text: string };

@@ -1,0 +1,61 @@
+// Patient directions in the picture. LPS: +x is the patient's left, +y posterior, +z superior.
+import { cameraAxes, type Camera } from './camera.ts';
+import type { Vector3 } from './vector.ts';
+
+const AXIS_LETTERS = [
+  ['R', 'L'],
+  ['A', 'P'],
+  ['I', 'S'],
+] as const;
+
+const SMALLEST_SHARE = 0.25;
+
+/**
+ * The letters of the patient directions that a picture direction points to, the strongest first:
+ * 'L', or 'LA' between two. A share below a quarter is left out.
+ */
+export function directionLetters(direction: Vector3): string {
+  return direction
+    .map((share, axis) => ({
+      share: Math.abs(share),
+      letter: AXIS_LETTERS[axis]?.[share < 0 ? 0 : 1] ?? '',
+    }))
+    .filter(({ share }) => share >= SMALLEST_SHARE)
+    .sort((a, b) => b.share - a.share)
+    .map(({ letter }) => letter)
+    .join('');
+}
+
+export interface EdgeLetters {
+  readonly top: string;
+  readonly right: string;
+  readonly bottom: string;
+  readonly left: string;
+}
+
+export function edgeLetters(camera: Camera): EdgeLetters {
+  const { right, up } = cameraAxes(camera);
+  const opposite = (v: Vector3): Vector3 => [-v[0], -v[1], -v[2]];
+  return {
+    top: directionLetters(up),
+    right: directionLetters(right),
+    bottom: directionLetters(opposite(up)),
+    left: directionLetters(opposite(right)),
+  };
+}
+
+export interface StandardView {
+  readonly letter: string;
+  readonly name: string;
+  readonly towards_eye: Vector3;
+  readonly up: Vector3;
+}
+
+export const STANDARD_VIEWS: readonly StandardView[] = [
+  { letter: 'A', name: 'Anterior', towards_eye: [0, -1, 0], up: [0, 0, 1] },
+  { letter: 'P', name: 'Posterior', towards_eye: [0, 1, 0], up: [0, 0, 1] },
+  { letter: 'R', name: 'Right', towards_eye: [-1, 0, 0], up: [0, 0, 1] },
+  { letter: 'L', name: 'Left', towards_eye: [1, 0, 0], up: [0, 0, 1] },
+  { letter: 'S', name: 'Superior', towards_eye: [0, 0, 1], up: [0, -1, 0] },
+  { letter: 'I', name: 'Inferior', towards_eye: [0, 0, -1], up: [0, -1, 0] },
+];

@@ -1,0 +1,166 @@
+// What a server says it can do, for tests: small, but with a control of every kind.
+import type {
+  CapabilitiesMessage,
+  ModuleDescription,
+  SceneStateMessage,
+  VolumeSummary,
+} from '../src/protocol/messages.ts';
+
+const tone: ModuleDescription = {
+  name: 'tone',
+  title: 'Tone',
+  description: 'Two colours.',
+  parameters: [
+    {
+      name: 'detail',
+      title: 'Detail',
+      description: '',
+      type: 'number',
+      default: 1,
+      minimum: 0,
+      maximum: 1,
+      step: 0.01,
+      level: 'basic',
+    },
+    {
+      name: 'dark',
+      title: 'Dark',
+      description: '',
+      type: 'colour',
+      default: [0.1, 0.2, 0.3],
+      level: 'basic',
+    },
+    {
+      name: 'lambert',
+      title: 'Lambert',
+      description: '',
+      type: 'choice',
+      default: 'half',
+      choices: ['half', 'clamped'],
+      level: 'advanced',
+    },
+  ],
+};
+
+const phong: ModuleDescription = {
+  name: 'phong',
+  title: 'Phong',
+  description: 'Plain.',
+  parameters: [
+    {
+      name: 'two_sided',
+      title: 'Two-sided',
+      description: '',
+      type: 'boolean',
+      default: true,
+      level: 'basic',
+    },
+  ],
+};
+
+const blur: ModuleDescription = {
+  name: 'blur',
+  title: 'Blur',
+  description: 'Blurs.',
+  parameters: [
+    {
+      name: 'radius',
+      title: 'Radius',
+      description: '',
+      type: 'integer',
+      default: 2,
+      minimum: 0,
+      maximum: 15,
+      unit: 'px',
+      level: 'basic',
+    },
+  ],
+};
+
+const lines: ModuleDescription = {
+  name: 'lines',
+  title: 'Lines',
+  description: 'Draws lines.',
+  parameters: [],
+};
+
+export const capabilities: CapabilitiesMessage = {
+  type: 'capabilities',
+  protocol: 'cutaway.v1',
+  server: 'cutaway',
+  renderer: 'test',
+  software_renderer: false,
+  limits: {
+    message_bytes: 65536,
+    viewport_side_px: 4096,
+    viewport_pixels: 8388608,
+    frames_in_flight: 2,
+  },
+  modules: {
+    shading: [tone, phong],
+    filter: [blur, lines],
+    lens_shape: [{ name: 'sphere', title: 'Sphere', description: '', parameters: [] }],
+  },
+  styles: [
+    {
+      name: 'first',
+      title: 'First',
+      description: '',
+      scene: { focus: { shading: { name: 'tone', detail: 0.5 } } },
+    },
+    {
+      name: 'second',
+      title: 'Second',
+      description: '',
+      scene: { focus: { shading: { name: 'phong' } } },
+    },
+  ],
+  notice: 'Not for diagnostic use',
+};
+
+export const volume: VolumeSummary = {
+  id: 'head',
+  title: 'Head',
+  modality: 'CT',
+  units: 'HU',
+  size_voxels: [4, 4, 4],
+  spacing_mm: [1, 1, 2],
+  bounds_minimum_mm: [-2, -2, -4],
+  bounds_maximum_mm: [2, 2, 4],
+  diagonal_mm: 90,
+  value_range: [-1000, 3000],
+  outer_iso_value: -200,
+  inner_iso_value: 250,
+  histogram: [5, 3, 1],
+  warnings: [],
+};
+
+export const sceneMessage: SceneStateMessage = {
+  type: 'scene',
+  revision: 1,
+  volume,
+  scene: {
+    version: 1,
+    volume: 'head',
+    camera: {
+      projection: 'perspective',
+      eye_mm: [0, -600, 0],
+      target_mm: [0, 0, 0],
+      up: [0, 0, 1],
+      vertical_fov_degrees: 30,
+    },
+    focus: {
+      surface: { iso_value: 300 },
+      shading: { name: 'tone', detail: 0.5 },
+      filters: [{ name: 'sobel', strength: 0.7 }],
+    },
+    context: { surface: { iso_value: -200 }, shading: { name: 'tone', detail: 0 }, filters: [] },
+    lens: {
+      mode: 'cutaway',
+      shape: { name: 'sphere' },
+      centre_mm: [0, -80, 0],
+      radius_mm: 30,
+      cap: 'flat',
+    },
+  },
+};

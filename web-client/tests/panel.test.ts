@@ -1,0 +1,169 @@
+import { describe, expect, it } from 'vitest';
+import type { Scene } from '../src/protocol/messages.ts';
+import { readable, roundStep } from '../src/state/controls.ts';
+import { filterListModel } from '../src/state/filter_model.ts';
+import { moduleModel } from '../src/state/module_model.ts';
+import {
+  isoValueControl,
+  lensRadiusControl,
+  lightControls,
+  projectionControl,
+  sceneChoiceControl,
+} from '../src/state/scene_controls.ts';
+import { KEY_BINDINGS } from '../src/interaction/keyboard.ts';
+import { withinLimits } from '../src/interaction/viewport_size.ts';
+import { capabilities, sceneMessage, volume } from './capabilities.ts';
+
+const { scene } = sceneMessage;
+const { shading, filter } = capabilities.modules;
+/** Filters that this test's registry has. */
+const filtered = {
+  focus: { filters: [{ name: 'blur', radius: 5 }, { name: 'lines' }] },
+} as unknown as Scene;
+
+describe('a place for a module', () => {
+  const model = moduleModel('Shading', ['focus', 'shading'], shading, scene);
+
+  it('offers what the registry has', () => {
+    expect(model.choice).toMatchObject({
+      value: 'tone',
+      choices: [
+        { value: 'tone', label: 'Tone' },
+        { value: 'phong', label: 'Phong' },
+      ],
+    });
+    expect(model.choice.toPatch('phong')).toEqual({ focus: { shading: { name: 'phong' } } });
+  });
+
+  it('has the chosen module’s parameters, by level, with the scene’s values or the defaults', () => {
+    const [detail, dark] = model.controls.basic;
+    expect(detail).toMatchObject({
+      kind: 'number',
+      value: 0.5,
+      minimum: 0,
+      maximum: 1,
+      step: 0.01,
+    });
+    expect(dark).toMatchObject({ kind: 'colour', value: [0.1, 0.2, 0.3] });
+    expect(model.controls.advanced).toMatchObject([
+      { kind: 'choice', value: 'half', choices: [{ label: 'Half' }, { label: 'Clamped' }] },
+    ]);
+    expect(detail?.toPatch(0.25)).toEqual({ focus: { shading: { detail: 0.25 } } });
+  });
+
+  it('shows a switch for a boolean', () => {
+    const phong = moduleModel('Shading', ['focus', 'shading'], shading, {
+      focus: { shading: { name: 'phong' } },
+    });
+    expect(phong.controls.basic).toMatchObject([{ kind: 'boolean', value: true }]);
+  });
+
+  it('survives a module that the server does not describe', () => {
+    const unknown = moduleModel('Shading', ['focus', 'shading'], [], scene);
+    expect(unknown.controls).toEqual({ basic: [], advanced: [] });
+  });
+});
+
+describe('the list of filters', () => {
+  const model = filterListModel('focus', filter, filtered);
+  const [blur, lines] = model.filters;
+
+  it('changes one parameter and keeps the rest of the list', () => {
+    const [radius] = blur?.controls.basic ?? [];
+    expect(radius).toMatchObject({ kind: 'number', value: 5, step: 1, unit: 'px' });
+    expect(radius?.toPatch(7)).toEqual({
+      focus: { filters: [{ name: 'blur', radius: 7 }, { name: 'lines' }] },
+    });
+  });
+
+  it('removes, reorders and adds', () => {
+    expect(blur?.removed).toEqual({ focus: { filters: [{ name: 'lines' }] } });
+    expect(blur?.earlier).toBeUndefined();
+    expect(blur?.later).toEqual({
+      focus: { filters: [{ name: 'lines' }, { name: 'blur', radius: 5 }] },
+    });
+    expect(lines?.later).toBeUndefined();
+    expect(model.additions.map(({ title }) => title)).toEqual(['Blur', 'Lines']);
+    expect(model.additions[1]?.patch).toMatchObject({
+      focus: { filters: [{ name: 'blur' }, { name: 'lines' }, { name: 'lines' }] },
+    });
+  });
+
+  it('offers nothing more once it is full', () => {
+    const full = {
+      focus: { filters: Array.from({ length: 8 }, () => ({ name: 'blur' })) },
+    } as unknown as Scene;
+    expect(filterListModel('focus', filter, full).additions).toEqual([]);
+  });
+});
+
+describe('the scene’s own controls', () => {
+  it('take the iso-value’s range and unit from the volume', () => {
+    expect(isoValueControl('focus', scene, volume)).toMatchObject({
+      value: 300,
+      minimum: -1000,
+      maximum: 3000,
+      step: 10,
+      unit: 'HU',
+    });
+    expect(isoValueControl('context', {}, volume).value).toBe(-200);
+  });
+
+  it('bound the lens by the volume', () => {
+    expect(lensRadiusControl(scene, volume)).toMatchObject({
+      value: 30,
+      minimum: 0,
+      maximum: 45,
+      unit: 'mm',
+    });
+  });
+
+  it('take choices from the schema', () => {
+    const control = sceneChoiceControl('lens.cap', 'Cut surfaces', scene);
+    expect(control.choices.map(({ value }) => value)).toEqual(['flat', 'gradient', 'open']);
+    expect(control.toPatch('open')).toEqual({ lens: { cap: 'open' } });
+  });
+
+  it('turn the light by one angle and keep the other', () => {
+    const [azimuth] = lightControls({ light: { direction: [0, 0.6, 0.8] } });
+    const patch = azimuth?.toPatch(90) as { light: { direction: number[] } };
+    [0.8, 0.6, 0].forEach((part, axis) => expect(patch.light.direction[axis]).toBeCloseTo(part));
+  });
+
+  it('change the projection together with its height of view', () => {
+    const patch = projectionControl(scene).toPatch('orthographic');
+    expect(patch).toMatchObject({
+      camera: { projection: 'orthographic', view_height_mm: expect.closeTo(321.5, 1) as number },
+    });
+  });
+});
+
+describe('small rules', () => {
+  it('make names readable', () => expect(readable('half_vector-mode')).toBe('Half vector mode'));
+
+  it('choose round steps', () => {
+    expect(roundStep(0, 1)).toBe(0.001);
+    expect(roundStep(-1000, 3000)).toBe(10);
+    expect(roundStep(5, 5)).toBeGreaterThan(0);
+  });
+
+  it('keep a viewport’s shape within the server’s limits', () => {
+    expect(withinLimits({ width_px: 800, height_px: 600 }, 4096, 8e6)).toEqual({
+      width_px: 800,
+      height_px: 600,
+    });
+    expect(withinLimits({ width_px: 8000, height_px: 4000 }, 4000, 1e9)).toEqual({
+      width_px: 4000,
+      height_px: 2000,
+    });
+    expect(withinLimits({ width_px: 4000, height_px: 4000 }, 9000, 4e6)).toEqual({
+      width_px: 2000,
+      height_px: 2000,
+    });
+  });
+
+  it('bind no key twice', () => {
+    const keys = KEY_BINDINGS.map((binding) => binding.keys);
+    expect(new Set(keys).size).toBe(keys.length);
+  });
+});

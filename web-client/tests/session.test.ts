@@ -1,0 +1,267 @@
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import type { ClientMessage, ServerMessage, SceneMessage } from '../src/protocol/messages.ts';
+import { ViewerSession } from '../src/session/viewer_session.ts';
+import { sceneToAddress } from '../src/state/scene_address.ts';
+import type { FromWorker, ShownFrame } from '../src/stream/worker_messages.ts';
+import { capabilities, sceneMessage } from './capabilities.ts';
+
+const volumes: ServerMessage = {
+  type: 'volumes',
+  volumes: [
+    { id: 'head', title: 'Head', format: 'phantom', modality: 'CT' },
+    { id: 'knee', title: 'Knee', format: 'phantom', modality: 'CT' },
+  ],
+  refused: [],
+};
+
+const frame = (input: number, revision: number): ShownFrame => ({
+  type: 'live',
+  still: false,
+  lossless: false,
+  frame: 1,
+  revision,
+  input,
+  clock_ms: 0,
+  render_us: 0,
+  encode_us: 0,
+  width_px: 8,
+  height_px: 6,
+  viewport_width_px: 8,
+  viewport_height_px: 6,
+  bytes: 10,
+  latency_ms: 5,
+});
+
+class Harness {
+  readonly sent: ClientMessage[] = [];
+  readonly frames: (() => void)[] = [];
+  readonly saved: [string, Blob][] = [];
+  private listener: (event: FromWorker) => void = () => undefined;
+  readonly session: ViewerSession;
+
+  constructor(readonly address = '') {
+    vi.stubGlobal('requestAnimationFrame', (run: () => void) => this.frames.push(run));
+    this.session = new ViewerSession({
+      openStream: (listener) => {
+        this.listener = listener;
+        return { send: (message) => this.sent.push(message), connectNow: () => undefined };
+      },
+      address: () => this.address,
+      saveFile: (name, content) => this.saved.push([name, content]),
+    });
+  }
+
+  emit(event: FromWorker): void {
+    this.listener(event);
+  }
+
+  say(message: ServerMessage): void {
+    this.emit({ kind: 'message', message });
+  }
+
+  async connect(): Promise<void> {
+    this.emit({ kind: 'link', state: { phase: 'connected' } });
+    this.session.commands.resize({ width_px: 800, height_px: 600 });
+    this.say(capabilities);
+    this.say(volumes);
+    await vi.waitFor(() => expect(this.scenes().some(({ replace }) => replace)).toBe(true));
+  }
+
+  nextFrame(): void {
+    for (const run of this.frames.splice(0)) run();
+  }
+
+  scenes(): SceneMessage[] {
+    return this.sent.filter((message) => message.type === 'scene');
+  }
+
+  get state() {
+    return this.session.store.state;
+  }
+}
+
+let harness: Harness;
+beforeEach(async () => {
+  harness = new Harness();
+  await harness.connect();
+});
+
+describe('the beginning', () => {
+  it('opens the first volume in the first style', () => {
+    expect(harness.scenes()).toMatchObject([
+      {
+        replace: true,
+        scene: { volume: 'head', focus: { shading: { name: 'tone', detail: 0.5 } } },
+      },
+    ]);
+  });
+
+  it('opens what the address says', async () => {
+    const linked = new Harness(await sceneToAddress({ volume: 'knee', lens: { radius_mm: 5 } }));
+    await linked.connect();
+    expect(linked.scenes()).toMatchObject([
+      { replace: true, scene: { volume: 'knee', lens: { radius_mm: 5 } } },
+    ]);
+  });
+
+  it('says that an address is damaged, and opens the first volume', async () => {
+    const broken = new Harness('#1.zzzz');
+    await broken.connect();
+    expect(broken.state.toasts).toMatchObject([{ title: 'This link could not be opened' }]);
+    expect(broken.scenes()).toMatchObject([{ scene: { volume: 'head' } }]);
+  });
+
+  it('opens the first volume where the server refuses the address', async () => {
+    const refused = new Harness(await sceneToAddress({ volume: 'gone' }));
+    await refused.connect();
+    refused.say({
+      type: 'error',
+      code: 'unknown-volume',
+      message: 'No such volume',
+      input: refused.scenes()[0]?.input ?? 0,
+    });
+    expect(refused.scenes().map(({ scene }) => scene['volume'])).toEqual(['gone', 'head']);
+    expect(refused.state.toasts).toMatchObject([
+      { title: 'This link could not be opened', detail: 'No such volume.' },
+    ]);
+  });
+});
+
+describe('input', () => {
+  beforeEach(() => {
+    harness.say(sceneMessage);
+    harness.sent.length = 0;
+  });
+
+  it('goes out once per animation frame, with the sum of all moves', () => {
+    harness.session.commands.orbit(10, 0);
+    harness.session.commands.orbit(10, 0);
+    harness.session.commands.zoom(1.1);
+    expect(harness.sent).toEqual([]);
+    harness.nextFrame();
+    expect(harness.scenes()).toHaveLength(1);
+    expect(harness.scenes()[0]?.scene['camera']).toEqual(harness.state.scene?.camera);
+    harness.nextFrame();
+    expect(harness.sent).toHaveLength(1);
+  });
+
+  it('counts up and carries the clock', () => {
+    harness.session.commands.setLensRadius(20);
+    harness.nextFrame();
+    harness.session.commands.dragLens([10, 20]);
+    harness.session.commands.dragLens([30, 40]);
+    harness.nextFrame();
+    const [radius, drag] = harness.sent as [SceneMessage, { input: number; clock_ms: number }];
+    expect(drag).toMatchObject({
+      type: 'drag_lens',
+      position_px: [30, 40],
+      input: radius.input + 1,
+    });
+    expect(drag.clock_ms).toBeGreaterThan(0);
+  });
+
+  it('keeps the order of a change and a reset', () => {
+    harness.session.commands.setLensRadius(20);
+    harness.session.commands.resetView();
+    expect(harness.scenes().map(({ scene }) => scene)).toEqual([
+      { lens: { radius_mm: 20 } },
+      { camera: null, lens: { centre_mm: null, radius_mm: null } },
+    ]);
+  });
+
+  it('bounds the lens by the volume', () => {
+    harness.session.commands.setLensRadius(1e9);
+    expect(harness.state.scene?.lens?.radius_mm).toBe(90);
+  });
+
+  it('goes back to the last good value with a message that names the field', () => {
+    harness.session.commands.set(['lens', 'radius_mm'], -4);
+    harness.nextFrame();
+    const input = harness.scenes()[0]?.input ?? 0;
+    harness.say({
+      type: 'error',
+      code: 'out-of-range',
+      message: 'Too small',
+      field: '/lens/radius_mm',
+      expected: '0 to 2000 mm',
+      received: '-4',
+      input,
+    });
+    expect(harness.state.scene?.lens?.radius_mm).toBe(30);
+    expect(harness.state.toasts[0]?.detail).toBe(
+      'Too small. Field: /lens/radius_mm. Expected: 0 to 2000 mm. Received: -4.',
+    );
+  });
+
+  it('shows the same message once', () => {
+    for (let times = 0; times < 5; times++)
+      harness.say({ type: 'error', code: 'internal', message: 'Oh' });
+    expect(harness.state.toasts).toHaveLength(1);
+  });
+});
+
+describe('the picture', () => {
+  it('knows which camera it shows', () => {
+    harness.say(sceneMessage);
+    harness.emit({ kind: 'shown', frame: frame(1, 1) });
+    const before = harness.state.shown_scene?.camera;
+    harness.session.commands.orbit(100, 0);
+    harness.nextFrame();
+    const input = harness.scenes().at(-1)?.input ?? 0;
+    harness.emit({ kind: 'shown', frame: frame(input - 1, 1) });
+    expect(harness.state.shown_scene?.camera).toEqual(before);
+    harness.emit({ kind: 'shown', frame: frame(input, 2) });
+    expect(harness.state.shown_scene?.camera).toEqual(harness.state.scene?.camera);
+    expect(harness.state.scene?.camera).not.toEqual(before);
+  });
+
+  it('is saved under the volume’s name', () => {
+    harness.say(sceneMessage);
+    harness.session.commands.saveStill();
+    expect(harness.sent.at(-1)).toEqual({
+      type: 'save_still',
+      request: 1,
+      width_px: 800,
+      height_px: 600,
+    });
+    harness.emit({ kind: 'saved_still', request: 1, png: new Blob() });
+    expect(harness.saved[0]?.[0]).toBe('cutaway Head.png');
+  });
+});
+
+describe('a lost connection', () => {
+  it('is followed by viewport and whole scene, as they were', async () => {
+    harness.say(sceneMessage);
+    harness.session.commands.orbit(50, 20);
+    harness.nextFrame();
+    const scene = harness.state.scene;
+    harness.emit({
+      kind: 'link',
+      state: { phase: 'waiting', retry_in_ms: 100, reason: 'the connection was lost' },
+    });
+    expect(harness.state.scene).toEqual(scene);
+    harness.sent.length = 0;
+    harness.emit({ kind: 'link', state: { phase: 'connected' } });
+    expect(harness.sent).toMatchObject([{ type: 'viewport', width_px: 800, height_px: 600 }]);
+    harness.say(capabilities);
+    harness.say(volumes);
+    await vi.waitFor(() => expect(harness.scenes()).toHaveLength(1));
+    expect(harness.scenes()[0]).toMatchObject({ replace: true, scene });
+  });
+});
+
+describe('opening a volume', () => {
+  it('shows progress and keeps the old scene until the new one is there', () => {
+    harness.say(sceneMessage);
+    harness.session.commands.openVolume('knee');
+    expect(harness.sent.at(-1)).toMatchObject({ type: 'scene', scene: { volume: 'knee' } });
+    harness.say({ type: 'loading', volume: 'knee', stage: 'decode', fraction: 0.5 });
+    expect(harness.state.loading).toMatchObject({ stage: 'decode' });
+    expect(harness.state.scene?.volume).toBe('head');
+    harness.session.commands.cancelLoad();
+    expect(harness.sent.at(-1)).toEqual({ type: 'cancel_load' });
+    harness.say({ type: 'loading', volume: 'knee', stage: 'cancelled', fraction: 0 });
+    expect(harness.state.loading).toBeUndefined();
+    expect(harness.state.scene?.volume).toBe('head');
+  });
+});

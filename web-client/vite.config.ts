@@ -1,0 +1,38 @@
+import type { Plugin } from 'vite';
+import { defineConfig } from 'vitest/config';
+
+/**
+ * Web Awesome's default icon library carries the addresses of a CDN. Ours replaces it; the
+ * addresses go as well.
+ */
+function withoutForeignIconAddresses(): Plugin {
+  return {
+    name: 'without-foreign-icon-addresses',
+    apply: 'build',
+    transform(code, id) {
+      if (!id.includes('@awesome.me/webawesome') || !code.includes('fontawesome.com/'))
+        return undefined;
+      return { code: code.replaceAll(/https:\/\/[a-z-]+\.fontawesome\.com\//g, '/'), map: null };
+    },
+  };
+}
+
+const server_address = process.env['CUTAWAY_ADDRESS'] ?? '127.0.0.1:8080';
+const to_server = { target: `http://${server_address}` };
+
+export default defineConfig({
+  base: './',
+  plugins: [withoutForeignIconAddresses()],
+  server: {
+    host: '127.0.0.1',
+    proxy: {
+      '/ws': { ...to_server, ws: true },
+      '/api': to_server,
+      '/healthz': to_server,
+      '/readyz': to_server,
+    },
+  },
+  build: { target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false } },
+  worker: { format: 'es' },
+  test: { include: ['tests/**/*.test.ts'], environment: 'node' },
+});
