@@ -1,0 +1,46 @@
+// What a plain HTTP request gets.
+#pragma once
+
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <functional>
+#include <string>
+
+#include "net/static_files.h"
+#include "scene/json.h"
+
+namespace cutaway {
+
+using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>;
+using HttpResponse = boost::beast::http::response<boost::beast::http::string_body>;
+
+/// Thread-safe as far as its functions are.
+class HttpAnswers {
+ public:
+  struct Sources {
+    std::function<Json()> volumes;  ///< the content of the `volumes` message
+    std::function<std::string()>
+        trouble;  ///< why no frame can be rendered; empty while all is well
+  };
+
+  HttpAnswers(StaticFiles files, Sources sources);
+
+  /// The whole response, its body left out for HEAD.
+  HttpResponse answer(const HttpRequest& request) const;
+  /// For a request that could not be read.
+  static HttpResponse refusal(boost::beast::http::status status, std::string_view reason);
+
+ private:
+  HttpResponse answer_get(const HttpRequest& request, std::string_view path) const;
+  HttpResponse file_response(const HttpRequest& request, const StaticFile& file) const;
+  HttpResponse readiness() const;
+
+  StaticFiles files_;
+  Sources sources_;
+};
+
+/// The path of a request target, percent-decoded, without its query. Nothing where that is not a
+/// clean absolute path (bad escapes, control characters, backslashes, a ".." segment).
+std::optional<std::string> clean_path(std::string_view target);
+
+}  // namespace cutaway

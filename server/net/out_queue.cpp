@@ -1,0 +1,49 @@
+#include "net/out_queue.h"
+
+#include <utility>
+
+namespace cutaway {
+
+namespace {
+
+void replace(std::optional<OutQueue::Message>& place, std::optional<OutQueue::Message> message) {
+  const std::optional<OutQueue::Message> old = std::exchange(place, std::move(message));
+  if (old && old->done) old->done(false);
+}
+
+}  // namespace
+
+bool OutQueue::put_text(std::string text) {
+  if (waiting_text_bytes_ + text.size() > text_bytes_) return false;
+  waiting_text_bytes_ += text.size();
+  texts_.push_back(std::move(text));
+  return true;
+}
+
+void OutQueue::put_frame(std::vector<std::uint8_t> message, Done done) {
+  replace(frame_, Message{std::move(message), std::move(done)});
+}
+
+void OutQueue::put_still(std::vector<std::uint8_t> message, Done done) {
+  replace(still_, Message{std::move(message), std::move(done)});
+}
+
+std::optional<OutQueue::Message> OutQueue::take() {
+  if (!texts_.empty()) {
+    Message message{std::move(texts_.front()), nullptr};
+    texts_.pop_front();
+    waiting_text_bytes_ -= std::get<std::string>(message.content).size();
+    return message;
+  }
+  if (frame_) return std::exchange(frame_, std::nullopt);
+  return std::exchange(still_, std::nullopt);
+}
+
+void OutQueue::abandon() {
+  texts_.clear();
+  waiting_text_bytes_ = 0;
+  replace(frame_, std::nullopt);
+  replace(still_, std::nullopt);
+}
+
+}  // namespace cutaway

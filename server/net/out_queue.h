@@ -1,0 +1,43 @@
+// What waits to be written to one client, with a bound on each kind.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace cutaway {
+
+/// Texts in their order, then the one waiting frame, then the one waiting still. Not thread-safe.
+class OutQueue {
+ public:
+  using Done = std::function<void(bool)>;
+  struct Message {
+    std::variant<std::string, std::vector<std::uint8_t>> content;
+    Done done;  ///< empty for a text
+  };
+
+  explicit OutQueue(std::size_t text_bytes) : text_bytes_(text_bytes) {}
+
+  /// False, and nothing taken, where the texts that wait would exceed the bound.
+  [[nodiscard]] bool put_text(std::string text);
+  /// Replaces a frame that waits; that one's `done` gets false.
+  void put_frame(std::vector<std::uint8_t> message, Done done);
+  void put_still(std::vector<std::uint8_t> message, Done done);
+
+  std::optional<Message> take();
+  /// Nothing more will be written: every `done` that waits gets false.
+  void abandon();
+
+ private:
+  std::size_t text_bytes_;
+  std::size_t waiting_text_bytes_ = 0;
+  std::deque<std::string> texts_;
+  std::optional<Message> frame_;
+  std::optional<Message> still_;
+};
+
+}  // namespace cutaway

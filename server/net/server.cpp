@@ -1,0 +1,177 @@
+#include "net/server.h"
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <csignal>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "core/log.h"
+#include "net/http_connection.h"
+
+namespace cutaway {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using boost::system::error_code;
+
+namespace {
+
+constexpr std::chrono::milliseconds kPauseAfterFailedAccept{100};
+
+Error cannot_listen(const NetSettings& settings, const std::string& why) {
+  return Error({.code = "internal",
+                .message = "cannot listen: " + why,
+                .field = settings.address + ":" + std::to_string(settings.port),
+                .expected = "a free port on an address of this machine"});
+}
+
+tcp::endpoint endpoint_of(const NetSettings& settings) {
+  error_code error;
+  const asio::ip::address address = asio::ip::make_address(settings.address, error);
+  if (error) throw cannot_listen(settings, "this is no IP address");
+  return {address, settings.port};
+}
+
+}  // namespace
+
+class Server::Impl {
+ public:
+  Impl(const NetSettings& settings, Hooks hooks);
+
+  std::string url() const;
+  void run();
+  void stop();
+
+ private:
+  void listen();
+  asio::awaitable<void> accept_all();
+  void begin_connection(tcp::socket&& socket, const AsioStrand::Executor& strand);
+  void end_all();
+  void all_ended();
+
+  asio::io_context io_;
+  AsioStrand::Executor strand_{asio::make_strand(io_)};  // of the acceptor and of stopping
+  ConnectionContext context_;
+  ConnectionList<HttpConnection> connections_;
+  tcp::acceptor acceptor_{strand_};
+  asio::signal_set signals_{strand_};
+  asio::steady_timer accept_pause_{strand_};
+  asio::steady_timer stop_deadline_{strand_};
+  bool stopping_ = false;
+};
+
+Server::Impl::Impl(const NetSettings& settings, Hooks hooks)
+    : context_{.settings = settings,
+               .answers = HttpAnswers(
+                   settings.web_root.empty() ? StaticFiles() : StaticFiles(settings.web_root),
+                   std::move(hooks.sources)),
+               .make_session = std::move(hooks.make_session)} {
+  listen();
+  signals_.add(SIGINT);
+  signals_.add(SIGTERM);
+  signals_.async_wait([this](const error_code& error, int) {
+    if (!error) end_all();
+  });
+  asio::co_spawn(
+      strand_, [this] { return accept_all(); }, asio::detached);
+}
+
+void Server::Impl::listen() {
+  const tcp::endpoint endpoint = endpoint_of(context_.settings);
+  try {
+    acceptor_.open(endpoint.protocol());
+    acceptor_.set_option(tcp::acceptor::reuse_address(true));
+    acceptor_.bind(endpoint);
+    acceptor_.listen();
+  } catch (const boost::system::system_error& failure) {
+    throw cannot_listen(context_.settings, failure.code().message());
+  }
+}
+
+std::string Server::Impl::url() const {
+  std::ostringstream text;
+  text << "http://" << acceptor_.local_endpoint() << "/";
+  return text.str();
+}
+
+void Server::Impl::run() {
+  std::vector<std::jthread> threads;
+  for (int i = 1; i < context_.settings.io_threads; ++i) {
+    threads.emplace_back([this] { io_.run(); });
+  }
+  io_.run();
+}
+
+asio::awaitable<void> Server::Impl::accept_all() {
+  while (!stopping_) {
+    const AsioStrand::Executor strand = asio::make_strand(io_);
+    tcp::socket socket(strand);
+    error_code error;
+    co_await acceptor_.async_accept(socket, asio::redirect_error(asio::use_awaitable, error));
+    if (stopping_) break;
+    if (!error) {
+      begin_connection(std::move(socket), strand);
+      continue;
+    }
+    log().warn("a connection could not be accepted: {}", error.message());
+    accept_pause_.expires_after(kPauseAfterFailedAccept);
+    co_await accept_pause_.async_wait(asio::redirect_error(asio::use_awaitable, error));
+  }
+}
+
+void Server::Impl::begin_connection(tcp::socket&& socket, const AsioStrand::Executor& strand) {
+  if (connections_.size() >= static_cast<std::size_t>(context_.settings.connections)) {
+    log().warn("a connection was dropped: all {} are taken", context_.settings.connections);
+    return;
+  }
+  auto connection = std::make_shared<HttpConnection>(std::move(socket), strand, context_);
+  const auto entry = connections_.add(connection);
+  asio::co_spawn(
+      strand, [connection] { return connection->run(); },
+      [this, entry](const std::exception_ptr&) {
+        connections_.remove(entry);
+        asio::post(strand_, [this] { all_ended(); });
+      });
+}
+
+void Server::Impl::stop() {
+  asio::post(strand_, [this] { end_all(); });
+}
+
+void Server::Impl::end_all() {
+  if (stopping_) return;
+  stopping_ = true;
+  log().info("stopping");
+  error_code ignored;
+  acceptor_.close(ignored);
+  signals_.cancel(ignored);
+  accept_pause_.cancel();
+  connections_.for_each([](const auto& connection) { connection->close(); });
+  stop_deadline_.expires_after(context_.settings.stop_timeout);
+  stop_deadline_.async_wait([this](const error_code& error) {
+    if (error) return;
+    connections_.for_each([](const auto& connection) { connection->abort(); });
+  });
+  all_ended();
+}
+
+void Server::Impl::all_ended() {
+  if (stopping_ && connections_.size() == 0) stop_deadline_.cancel();
+}
+
+Server::Server(const NetSettings& settings, Hooks hooks)
+    : impl_(std::make_unique<Impl>(settings, std::move(hooks))) {}
+
+Server::~Server() = default;
+
+std::string Server::url() const { return impl_->url(); }
+void Server::run() { impl_->run(); }
+void Server::stop() { impl_->stop(); }
+
+}  // namespace cutaway

@@ -1,0 +1,28 @@
+// Every limit of the network side; the configuration fills it (app/config.h).
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cutaway {
+
+struct NetSettings {
+  std::string address = "127.0.0.1";
+  std::uint16_t port = 8080;  ///< 0 picks a free one
+  int io_threads = 2;
+  int connections = 512;                                         ///< open at once, of every kind
+  int sessions = 64;                                             ///< WebSocket sessions at once
+  std::size_t message_bytes = std::size_t{64} * 1024;            ///< one text message from a client
+  std::size_t queued_text_bytes = std::size_t{4} * 1024 * 1024;  ///< waiting for a client to read
+  std::chrono::milliseconds request_timeout{10'000};  ///< until a request has arrived whole
+  std::chrono::milliseconds idle_timeout{30'000};     ///< WebSocket: without a word or a pong
+  std::chrono::milliseconds write_timeout{20'000};    ///< one message into the client's hands
+  std::chrono::milliseconds stop_timeout{2'000};      ///< for closing handshakes at the end
+  std::vector<std::string> allowed_origins;  ///< "https://host:port", beside the server's own
+  std::filesystem::path web_root;            ///< the built web client; empty for none
+};
+
+}  // namespace cutaway

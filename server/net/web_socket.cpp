@@ -1,0 +1,204 @@
+#include "net/web_socket.h"
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
+#include <utility>
+
+#include "core/log.h"
+#include "net/http_headers.h"
+#include "net/upgrade.h"
+#include "scene/json_text.h"
+#include "scene/server_message.h"
+
+namespace cutaway {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace websocket = boost::beast::websocket;
+using boost::system::error_code;
+
+namespace {
+
+constexpr std::chrono::milliseconds kBreath{20};  // no reading for so long after too many messages
+
+asio::const_buffer buffer_of(const OutQueue::Message& message) {
+  return std::visit([](const auto& content) -> asio::const_buffer { return asio::buffer(content); },
+                    message.content);
+}
+
+bool is_ordinary_end(const error_code& error) {
+  return error == websocket::error::closed || error == asio::error::operation_aborted ||
+         error == asio::error::eof || error == asio::error::connection_reset;
+}
+
+}  // namespace
+
+WebSocket::WebSocket(beast::tcp_stream&& stream, AsioStrand::Executor strand,
+                     const NetSettings& settings)
+    : stream_(std::move(stream)),
+      strand_(std::make_shared<AsioStrand>(strand)),
+      executor_(strand),
+      settings_(settings),
+      queue_(settings.queued_text_bytes),
+      something_to_write_(strand, asio::steady_timer::time_point::max()),
+      write_deadline_(strand),
+      breather_(strand) {}
+
+asio::awaitable<bool> WebSocket::accept(HttpRequest request) {
+  beast::get_lowest_layer(stream_).expires_never();
+  stream_.set_option(websocket::stream_base::timeout{.handshake_timeout = settings_.request_timeout,
+                                                     .idle_timeout = settings_.idle_timeout,
+                                                     .keep_alive_pings = true});
+  stream_.set_option(websocket::stream_base::decorator([](websocket::response_type& response) {
+    set_security_headers(response);
+    response.set(beast::http::field::sec_websocket_protocol, kSubprotocol);
+  }));
+  stream_.read_message_max(settings_.message_bytes);
+  stream_.auto_fragment(false);
+  error_code error;
+  co_await stream_.async_accept(request, asio::redirect_error(asio::use_awaitable, error));
+  co_return !error;
+}
+
+asio::awaitable<void> WebSocket::serve(HttpRequest request, SessionFactory make_session) {
+  const auto self = shared_from_this();
+  const bool accepted = co_await accept(std::move(request));
+  if (!accepted) co_return;
+  session_ = make_session(strand_, *this);
+  session_->start();
+  asio::co_spawn(
+      executor_, [self] { return self->write_all(); }, asio::detached);
+  co_await read_all();
+  end();
+}
+
+asio::awaitable<void> WebSocket::turn_away(HttpRequest request, std::string reason) {
+  const auto self = shared_from_this();
+  const bool accepted = co_await accept(std::move(request));
+  if (!accepted) co_return;
+  const OutQueue::Message message{
+      json_text(error_message(Error({.code = "server-full", .message = reason}))), nullptr};
+  const bool written = co_await write(message);
+  if (!written) co_return;
+  const websocket::close_reason why(websocket::close_code::try_again_later, reason);
+  error_code error;
+  co_await stream_.async_close(why, asio::redirect_error(asio::use_awaitable, error));
+}
+
+asio::awaitable<void> WebSocket::read_all() {
+  error_code error;
+  while (true) {
+    co_await stream_.async_read(incoming_, asio::redirect_error(asio::use_awaitable, error));
+    if (error) break;
+    const Session::Reception reception = deliver();
+    incoming_.consume(incoming_.size());
+    if (reception == Session::Reception::too_fast) co_await take_breath();
+  }
+  if (!is_ordinary_end(error)) log().info("a connection ended: {}", error.message());
+}
+
+Session::Reception WebSocket::deliver() {
+  if (!stream_.got_text()) return session_->receive_binary();
+  const asio::const_buffer text = incoming_.cdata();
+  return session_->receive_text({static_cast<const char*>(text.data()), text.size()});
+}
+
+// Who sends too much is read from more slowly: the network pushes back, and the others keep their
+// share.
+asio::awaitable<void> WebSocket::take_breath() {
+  error_code error;
+  breather_.expires_after(kBreath);
+  co_await breather_.async_wait(asio::redirect_error(asio::use_awaitable, error));
+}
+
+asio::awaitable<void> WebSocket::write_all() {
+  bool writable = true;
+  while (writable && !ended_) {
+    const std::optional<OutQueue::Message> message = queue_.take();
+    if (!message) {
+      co_await wait_for_messages();
+      continue;
+    }
+    writable = co_await write(*message);
+    if (message->done) message->done(writable);
+  }
+  queue_.abandon();
+  if (!closing_) abort();
+}
+
+asio::awaitable<bool> WebSocket::write(const OutQueue::Message& message) {
+  error_code error;
+  const asio::const_buffer buffer = buffer_of(message);
+  start_write_deadline();
+  stream_.text(std::holds_alternative<std::string>(message.content));
+  co_await stream_.async_write(buffer, asio::redirect_error(asio::use_awaitable, error));
+  stop_write_deadline();
+  co_return !error;
+}
+
+asio::awaitable<void> WebSocket::wait_for_messages() {
+  error_code woken;
+  co_await something_to_write_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
+}
+
+void WebSocket::start_write_deadline() {
+  write_deadline_.expires_after(settings_.write_timeout);
+  write_deadline_.async_wait(
+      [self = shared_from_this(), setting = ++deadline_](const error_code& error) {
+        if (error || setting != self->deadline_) return;
+        log().info("a client did not take a message in time; its connection is dropped");
+        self->abort();
+      });
+}
+
+void WebSocket::stop_write_deadline() {
+  ++deadline_;
+  write_deadline_.cancel();
+}
+
+void WebSocket::send_text(std::string message) {
+  if (closing_ || ended_) return;
+  if (queue_.put_text(std::move(message))) {
+    something_to_write_.cancel();
+    return;
+  }
+  log().info("a client leaves too much unread; its connection is closed");
+  begin_close({websocket::close_code::policy_error, "too many messages wait to be read"});
+}
+
+void WebSocket::send_frame(std::vector<std::uint8_t> message, std::function<void(bool)> done) {
+  if (closing_ || ended_) return done(false);
+  queue_.put_frame(std::move(message), std::move(done));
+  something_to_write_.cancel();
+}
+
+void WebSocket::send_still(std::vector<std::uint8_t> message, std::function<void(bool)> done) {
+  if (closing_ || ended_) return done(false);
+  queue_.put_still(std::move(message), std::move(done));
+  something_to_write_.cancel();
+}
+
+void WebSocket::close() { begin_close({websocket::close_code::going_away, "the server stops"}); }
+
+void WebSocket::begin_close(const websocket::close_reason& reason) {
+  if (closing_ || !stream_.is_open()) return;
+  closing_ = true;
+  stream_.async_close(reason, [self = shared_from_this()](const error_code&) {});
+}
+
+void WebSocket::abort() {
+  beast::get_lowest_layer(stream_).close();
+  breather_.cancel();
+}
+
+void WebSocket::end() {
+  ended_ = true;
+  abort();
+  queue_.abandon();
+  something_to_write_.cancel();
+  session_.reset();
+}
+
+}  // namespace cutaway

@@ -1,0 +1,76 @@
+// One client's WebSocket: its reads, its writes, its session.
+#pragma once
+
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/websocket/stream.hpp>
+#include <functional>
+#include <memory>
+
+#include "net/asio_strand.h"
+#include "net/awaitable.h"
+#include "net/http_answers.h"
+#include "net/out_queue.h"
+#include "net/settings.h"
+#include "session/session.h"
+
+namespace cutaway {
+
+using SessionFactory =
+    std::function<std::unique_ptr<Session>(std::shared_ptr<Strand>, ClientSink&)>;
+
+/// Everything runs on the strand that the stream was accepted on. One read is always pending, one
+/// write at a time is; a write that the client does not take within its deadline, or texts that
+/// pile up, end the connection.
+class WebSocket final : public ClientSink, public std::enable_shared_from_this<WebSocket> {
+ public:
+  WebSocket(boost::beast::tcp_stream&& stream, AsioStrand::Executor strand,
+            const NetSettings& settings);
+
+  /// Completes the upgrade and serves the session until the connection ends. Throws nothing.
+  boost::asio::awaitable<void> serve(HttpRequest request, SessionFactory make_session);
+  /// Completes the upgrade, says that the server is full, and closes with 1013.
+  boost::asio::awaitable<void> turn_away(HttpRequest request, std::string reason);
+
+  /// Begins a closing handshake that says "going away". On the strand.
+  void close();
+  /// Ends the connection at once. On the strand.
+  void abort();
+
+  void send_text(std::string message) override;
+  void send_frame(std::vector<std::uint8_t> message, std::function<void(bool)> done) override;
+  void send_still(std::vector<std::uint8_t> message, std::function<void(bool)> done) override;
+
+ private:
+  using Stream = boost::beast::websocket::stream<boost::beast::tcp_stream, false>;
+
+  boost::asio::awaitable<bool> accept(HttpRequest request);
+  boost::asio::awaitable<void> read_all();
+  boost::asio::awaitable<void> write_all();
+  boost::asio::awaitable<bool> write(const OutQueue::Message& message);
+  boost::asio::awaitable<void> wait_for_messages();
+  boost::asio::awaitable<void> take_breath();
+  Session::Reception deliver();
+  void begin_close(const boost::beast::websocket::close_reason& reason);
+  void start_write_deadline();
+  void stop_write_deadline();
+  void end();
+
+  Stream stream_;
+  std::shared_ptr<AsioStrand> strand_;
+  AsioStrand::Executor executor_;
+  NetSettings settings_;
+  OutQueue queue_;
+  boost::beast::flat_buffer incoming_;
+  boost::asio::steady_timer something_to_write_;
+  boost::asio::steady_timer write_deadline_;
+  boost::asio::steady_timer breather_;
+  std::unique_ptr<Session> session_;
+  std::uint64_t deadline_ =
+      0;  ///< counts settings of write_deadline_, so that a late one is known as void
+  bool closing_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace cutaway
