@@ -21,7 +21,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   bool boolean(bool value) override { return place(value); }
   bool number_integer(number_integer_t value) override { return place(value); }
 
-  /// Beyond 63 bits as a float: valijson would take it for a negative integer.
+  /// Beyond 63 bits as a float, so that every integer of a document is a signed one.
   bool number_unsigned(number_unsigned_t value) override {
     constexpr auto kLargest = std::numeric_limits<number_integer_t>::max();
     if (value > number_unsigned_t{kLargest}) return place(static_cast<number_float_t>(value));

@@ -2,9 +2,10 @@
 
 #include <map>
 
+#include "core/check.h"
 #include "core/error.h"
 #include "scene/embedded.h"
-#include "scene/schema_judge.h"
+#include "scene/json_text.h"
 #include "scene/schema_node.h"
 #include "scene/schema_violation.h"
 
@@ -62,26 +63,26 @@ class Inliner {
   const Documents& documents_;
 };
 
-struct CompiledSchema {
-  Json schema;
-  SchemaJudge judge;
-};
+/// A keyword that first_violation does not know would be a check that is never made.
+void check_keywords(const Json& node) {
+  for (const auto& [name, value] : node.items()) {
+    check(is_known_keyword(name), "unknown keyword in a schema: " + name);
+    if (name == "items") check_keywords(value);
+    if (name == "properties" || name == "oneOf")
+      for (const Json& child : value) check_keywords(child);
+  }
+}
 
-const CompiledSchema& compiled(std::string_view name) {
-  static const auto all = [] {
-    const Documents documents = read_documents();
-    const Inliner inliner(documents);
-    std::map<std::string, CompiledSchema, std::less<>> result;
-    for (const auto& [key, document] : documents) {
-      Json inlined = inliner.inlined(document, key);
-      SchemaJudge judge(inlined);
-      result.emplace(key, CompiledSchema{std::move(inlined), std::move(judge)});
-    }
-    return result;
-  }();
-  const auto found = all.find(name);
-  if (found == all.end()) throw std::out_of_range("no schema " + std::string(name));
-  return found->second;
+Documents inline_all() {
+  const Documents documents = read_documents();
+  const Inliner inliner(documents);
+  Documents result;
+  for (const auto& [name, document] : documents) {
+    Json inlined = inliner.inlined(document, name);
+    check_keywords(inlined);
+    result.emplace(name, std::move(inlined));
+  }
+  return result;
 }
 
 void fill(const Json& node, Json& value);
@@ -110,15 +111,18 @@ void fill(const Json& node, Json& value) {
 
 }  // namespace
 
-const Json& schema(std::string_view name) { return compiled(name).schema; }
+const Json& schema(std::string_view name) {
+  static const Documents all = inline_all();
+  const auto found = all.find(name);
+  if (found == all.end()) throw std::out_of_range("no schema " + std::string(name));
+  return found->second;
+}
 
 void validate(const Json& value, std::string_view schema_name) {
-  const CompiledSchema& rules = compiled(schema_name);
-  if (auto violation = first_violation(rules.schema, value, "")) throw Error(*violation);
-  // The standard has the last word, should a schema use what first_violation does not know.
-  if (!rules.judge.accepts(value))
-    throw Error({.code = "wrong-type",
-                 .message = "does not follow " + std::string(schema_name) + ".schema.json"});
+  if (auto violation = first_violation(schema(schema_name), value)) {
+    violation->field = shortened(violation->field, 200);
+    throw Error(*violation);
+  }
 }
 
 Json with_defaults(Json value, std::string_view schema_name) {

@@ -19,9 +19,14 @@ const Json* chosen_branch(const Json& schema, const Json& value) {
   return nullptr;
 }
 
+const Json* keyword(const Json& schema, const char* name) {
+  const auto found = schema.find(name);
+  return found == schema.end() ? nullptr : &*found;
+}
+
 const Json* property(const Json& schema, const std::string& key) {
-  const auto properties = schema.find("properties");
-  if (properties == schema.end()) return nullptr;
+  const Json* properties = keyword(schema, "properties");
+  if (properties == nullptr) return nullptr;
   const auto field = properties->find(key);
   return field == properties->end() ? nullptr : &*field;
 }

@@ -1,6 +1,7 @@
 #include "scene/schema_violation.h"
 
 #include <algorithm>
+#include <set>
 
 #include "scene/json_text.h"
 #include "scene/schema_node.h"
@@ -12,13 +13,20 @@ namespace {
 
 using Violation = std::optional<Error::Detail>;
 
-Violation violation(const char* code, std::string message, const std::string& pointer,
-                    std::string expected, std::string received) {
+Violation violation(const char* code, const char* message, std::string field, std::string expected,
+                    std::string received) {
   return Error::Detail{.code = code,
-                       .message = std::move(message),
-                       .field = shortened(pointer, 200),
+                       .message = message,
+                       .field = std::move(field),
                        .expected = std::move(expected),
                        .received = std::move(received)};
+}
+
+/// Pointers are put together on the way out, so that a document without a violation costs none.
+template <typename Token>
+Violation inside(const Token& token, Violation found) {
+  if (found) found->field = pointer_to("", token) + found->field;
+  return found;
 }
 
 bool is_type(const Json& value, const std::string& type) {
@@ -31,113 +39,147 @@ bool is_type(const Json& value, const std::string& type) {
 }
 
 bool has_allowed_type(const Json& schema, const Json& value) {
-  const auto types = schema.find("type");
-  if (types == schema.end()) return true;
+  const Json* types = keyword(schema, "type");
+  if (types == nullptr) return true;
   if (types->is_string()) return is_type(value, types->get_ref<const std::string&>());
   return std::any_of(types->begin(), types->end(), [&](const Json& type) {
     return is_type(value, type.get_ref<const std::string&>());
   });
 }
 
-Violation wrong_type(const Json& schema, const Json& value, const std::string& pointer) {
-  const Json* constant = schema.contains("const") ? &schema.at("const") : nullptr;
-  const bool right =
-      has_allowed_type(schema, value) && (constant == nullptr || constant->type() == value.type() ||
-                                          (constant->is_number() && value.is_number()));
-  if (right) return {};
-  return violation("wrong-type", "wrong type", pointer, words_for(schema), words_for_value(value));
+bool is_like_constant(const Json& schema, const Json& value) {
+  const Json* constant = keyword(schema, "const");
+  return constant == nullptr || constant->type() == value.type() ||
+         (constant->is_number() && value.is_number());
+}
+
+Violation wrong_type(const Json& schema, const Json& value) {
+  if (has_allowed_type(schema, value) && is_like_constant(schema, value)) return {};
+  return violation("wrong-type", "wrong type", "", words_for(schema), words_for_value(value));
+}
+
+bool is_outside(const Json& schema, const Json& number) {
+  const Json* minimum = keyword(schema, "minimum");
+  const Json* above = keyword(schema, "exclusiveMinimum");
+  const Json* maximum = keyword(schema, "maximum");
+  return (minimum != nullptr && number < *minimum) || (above != nullptr && number <= *above) ||
+         (maximum != nullptr && number > *maximum);
+}
+
+bool is_wrong_length(const Json& schema, const Json& value) {
+  const bool list = value.is_array();
+  const Json* minimum = keyword(schema, list ? "minItems" : "minLength");
+  const Json* maximum = keyword(schema, list ? "maxItems" : "maxLength");
+  if (minimum == nullptr && maximum == nullptr) return false;
+  const std::size_t length = list ? value.size() : character_count(value);
+  return (minimum != nullptr && length < minimum->get<std::size_t>()) ||
+         (maximum != nullptr && length > maximum->get<std::size_t>());
 }
 
 bool is_out_of_range(const Json& schema, const Json& value) {
-  if (schema.contains("const")) return schema.at("const") != value;
-  if (schema.contains("enum")) {
-    const Json& allowed = schema.at("enum");
-    return std::find(allowed.begin(), allowed.end(), value) == allowed.end();
-  }
-  if (value.is_number())
-    return (schema.contains("minimum") && value < schema.at("minimum")) ||
-           (schema.contains("exclusiveMinimum") && value <= schema.at("exclusiveMinimum")) ||
-           (schema.contains("maximum") && value > schema.at("maximum"));
-  if (!value.is_array() && !value.is_string()) return false;
-  const std::size_t length = value.is_array() ? value.size() : character_count(value);
-  const bool array = value.is_array();
-  return length < schema.value(array ? "minItems" : "minLength", std::size_t{0}) ||
-         length > schema.value(array ? "maxItems" : "maxLength", std::size_t(-1));
+  if (const Json* constant = keyword(schema, "const")) return *constant != value;
+  if (const Json* allowed = keyword(schema, "enum"))
+    return std::find(allowed->begin(), allowed->end(), value) == allowed->end();
+  if (value.is_number()) return is_outside(schema, value);
+  return (value.is_array() || value.is_string()) && is_wrong_length(schema, value);
 }
 
-Violation out_of_range(const Json& schema, const Json& value, const std::string& pointer) {
+Violation out_of_range(const Json& schema, const Json& value) {
   if (!is_out_of_range(schema, value)) return {};
-  const bool list = value.is_array();
-  return violation("out-of-range", list ? "wrong number of entries" : "not an allowed value",
-                   pointer, words_for(schema),
-                   list ? std::to_string(value.size()) + " entries" : words_for_value(value));
+  if (value.is_array())
+    return violation("out-of-range", "wrong number of entries", "", words_for(schema),
+                     std::to_string(value.size()) + " entries");
+  return violation("out-of-range", "not an allowed value", "", words_for(schema),
+                   words_for_value(value));
 }
 
-Violation wrong_branch(const Json& schema, const Json& value, const std::string& pointer) {
-  const std::string key = discriminator(schema);
-  const std::string field = pointer_to(pointer, key);
-  if (!value.is_object())
-    return violation("wrong-type", "wrong type", pointer, "an object", words_for_value(value));
-  if (!value.contains(key))
-    return violation("missing-field", "missing field", field, words_for_branches(schema), "");
+Violation no_branch(const Json& schema, const Json& value, const std::string& key) {
+  const std::string field = pointer_to("", key);
+  const std::string names = words_for_branches(schema);
+  if (!value.contains(key)) return violation("missing-field", "missing field", field, names, "");
+  const std::string received = words_for_value(value.at(key));
   if (!value.at(key).is_string())
-    return violation("wrong-type", "wrong type", field, words_for_branches(schema),
-                     words_for_value(value.at(key)));
-  if (const Json* branch = chosen_branch(schema, value))
-    return first_violation(*branch, value, pointer);
-  return key == "type" ? violation("unknown-message", "unknown message", field,
-                                   words_for_branches(schema), words_for_value(value.at(key)))
-                       : violation("unknown-module", "unknown module", field,
-                                   words_for_branches(schema), words_for_value(value.at(key)));
+    return violation("wrong-type", "wrong type", field, names, received);
+  if (key == "type") return violation("unknown-message", "unknown message", field, names, received);
+  return violation("unknown-module", "unknown module", field, names, received);
 }
 
-Violation unknown_field(const Json& schema, const Json& value, const std::string& pointer) {
+Violation wrong_branch(const Json& schema, const Json& value) {
+  if (!value.is_object())
+    return violation("wrong-type", "wrong type", "", "an object", words_for_value(value));
+  if (const Json* branch = chosen_branch(schema, value)) return first_violation(*branch, value);
+  return no_branch(schema, value, discriminator(schema));
+}
+
+Violation unknown_field(const Json& schema, const Json& value) {
   if (schema.value("additionalProperties", true)) return {};
   for (const auto& [key, ignored] : value.items())
     if (property(schema, key) == nullptr)
-      return violation("unknown-field", "unknown field", pointer_to(pointer, key),
+      return violation("unknown-field", "unknown field", pointer_to("", key),
                        words_for_fields(schema), "");
   return {};
 }
 
-Violation missing_field(const Json& schema, const Json& value, const std::string& pointer) {
-  if (!schema.contains("required")) return {};
-  for (const Json& key : schema.at("required")) {
+Violation missing_field(const Json& schema, const Json& value) {
+  const Json* required = keyword(schema, "required");
+  if (required == nullptr) return {};
+  for (const Json& key : *required) {
     const auto& name = key.get_ref<const std::string&>();
-    const Json* field = property(schema, name);
     if (!value.contains(name))
-      return violation("missing-field", "missing field", pointer_to(pointer, name),
-                       field != nullptr ? words_for(*field) : "", "");
+      return violation("missing-field", "missing field", pointer_to("", name),
+                       words_for(schema.at("properties").at(name)), "");
   }
   return {};
 }
 
-Violation wrong_fields(const Json& schema, const Json& value, const std::string& pointer) {
-  if (auto found = unknown_field(schema, value, pointer)) return found;
-  if (auto found = missing_field(schema, value, pointer)) return found;
+Violation wrong_fields(const Json& schema, const Json& value) {
+  if (auto found = unknown_field(schema, value)) return found;
+  if (auto found = missing_field(schema, value)) return found;
   for (const auto& [key, field] : value.items())
     if (const Json* node = property(schema, key))
-      if (auto found = first_violation(*node, field, pointer_to(pointer, key))) return found;
+      if (auto found = inside(key, first_violation(*node, field))) return found;
   return {};
 }
 
-Violation wrong_entries(const Json& schema, const Json& value, const std::string& pointer) {
-  const auto entry = schema.find("items");
-  if (entry == schema.end()) return {};
+Violation wrong_entries(const Json& schema, const Json& value) {
+  const Json* entry = keyword(schema, "items");
+  if (entry == nullptr) return {};
   for (std::size_t i = 0; i < value.size(); ++i)
-    if (auto found = first_violation(*entry, value[i], pointer_to(pointer, i))) return found;
+    if (auto found = inside(i, first_violation(*entry, value[i]))) return found;
   return {};
 }
 
 }  // namespace
 
-Violation first_violation(const Json& schema, const Json& value, const std::string& pointer) {
-  if (schema.contains("oneOf")) return wrong_branch(schema, value, pointer);
-  if (auto found = wrong_type(schema, value, pointer)) return found;
-  if (auto found = out_of_range(schema, value, pointer)) return found;
-  if (value.is_object()) return wrong_fields(schema, value, pointer);
-  if (value.is_array()) return wrong_entries(schema, value, pointer);
+Violation first_violation(const Json& schema, const Json& value) {
+  if (schema.contains("oneOf")) return wrong_branch(schema, value);
+  if (auto found = wrong_type(schema, value)) return found;
+  if (auto found = out_of_range(schema, value)) return found;
+  if (value.is_object()) return wrong_fields(schema, value);
+  if (value.is_array()) return wrong_entries(schema, value);
   return {};
+}
+
+bool is_known_keyword(const std::string& keyword) {
+  static const std::set<std::string> known{"additionalProperties",
+                                           "const",
+                                           "default",
+                                           "description",
+                                           "enum",
+                                           "exclusiveMinimum",
+                                           "items",
+                                           "maxItems",
+                                           "maxLength",
+                                           "maximum",
+                                           "minItems",
+                                           "minLength",
+                                           "minimum",
+                                           "oneOf",
+                                           "properties",
+                                           "required",
+                                           "title",
+                                           "type"};
+  return known.contains(keyword) || keyword.starts_with("x-");
 }
 
 }  // namespace cutaway

@@ -9,9 +9,11 @@
 
 namespace cutaway {
 
-/// The first field of `value` that breaks `schema` (a node without $refs); `pointer` is where
-/// `value` stands. Knows the keywords that protocol/schema uses.
-std::optional<Error::Detail> first_violation(const Json& schema, const Json& value,
-                                             const std::string& pointer);
+/// The first field of `value` that breaks `schema` (a node without $refs); its pointer begins at
+/// `value`.
+std::optional<Error::Detail> first_violation(const Json& schema, const Json& value);
+
+/// Whether first_violation knows what a node says with this keyword, or may ignore it.
+bool is_known_keyword(const std::string& keyword);
 
 }  // namespace cutaway

@@ -17,8 +17,8 @@ inline constexpr const char* kSubprotocol = "cutaway.v1";
 
 /// What a client is told not to go beyond.
 struct WireLimits {
-  std::int64_t message_bytes = 64 * 1024;
-  std::int64_t viewport_pixels = 4096LL * 4096;
+  std::int64_t message_bytes = 65536;
+  std::int64_t viewport_pixels = 16777216;
   int viewport_side_px = 8192;
   int frames_in_flight = 2;
 };

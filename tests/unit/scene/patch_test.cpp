@@ -58,7 +58,7 @@ TEST(Patch, ReplacesAModuleOfAnotherNameWhole) {
 
 TEST(Patch, RefusesWithTheFieldAndLeavesTheBaseAlone) {
   const Json base = complete();
-  const Json before = base;
+  const Json before = complete();
   EXPECT_EQ(refusal_field(base, {{"lens", {{"radius_mm", 1e9}}}}), "out-of-range /lens/radius_mm");
   EXPECT_EQ(refusal_field(base, {{"lens", 5}}), "wrong-type /lens");
   EXPECT_EQ(refusal_field(base, Json::array()), "wrong-type ");

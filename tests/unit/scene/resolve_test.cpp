@@ -66,7 +66,8 @@ TEST(Resolve, TakesIsoValuesOfTheVolume) {
 TEST(Resolve, TakesWhatTheDocumentSays) {
   const Scene scene =
       resolved(R"({"volume": "other", "camera": {"eye_mm": [1, 2, 3], "up": [1, 0, 0]},
-      "context": {"surface": {"iso_value": 7}}, "lens": {"centre_mm": [4, 5, 6], "radius_mm": 0}})");
+      "context": {"surface": {"iso_value": 7}},
+      "lens": {"centre_mm": [4, 5, 6], "radius_mm": 0}})");
   EXPECT_EQ(scene.volume, "other");
   EXPECT_EQ(scene.camera.eye_mm, glm::dvec3(1, 2, 3));
   EXPECT_EQ(scene.camera.up, glm::dvec3(1, 0, 0));
@@ -78,7 +79,8 @@ TEST(Resolve, TakesWhatTheDocumentSays) {
 TEST(Resolve, FillsEveryParameterOfAModule) {
   const Scene scene = resolved(R"({"focus": {"shading": {"name": "phong", "exponent": 7}}})");
   EXPECT_EQ(scene.focus.shading.parameters, Json::parse(R"({"model": "phong",
-      "colour": [0.86, 0.81, 0.73], "ambient": 0.15, "diffuse": 0.75, "specular": 0.25, "exponent": 7})"));
+      "colour": [0.86, 0.81, 0.73], "ambient": 0.15, "diffuse": 0.75, "specular": 0.25,
+      "exponent": 7})"));
   ASSERT_EQ(scene.context.filters.size(), 1U);
   EXPECT_EQ(scene.context.filters[0].name, "kuwahara");
   EXPECT_EQ(scene.context.filters[0].parameters, Json::parse(R"({"radius": 2})"));

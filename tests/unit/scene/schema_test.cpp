@@ -74,10 +74,11 @@ TEST(Modules, AreDescribedInTheSchemasOrder) {
 
 TEST(Modules, DescribeWhatAPanelNeeds) {
   const Json& modules = describe_modules();
-  EXPECT_EQ(found(found(modules.at("filter"), "kuwahara").at("parameters"), "radius"),
-            Json::parse(R"({"name": "radius", "title": "Radius", "type": "integer", "default": 2,
-                "minimum": 0, "maximum": 15, "step": 1, "unit": "px", "level": "basic", "description":
-                "Reach of the windows; 0 changes nothing. The whole window is 2 radius + 1 pixels wide."})"));
+  Json radius = found(found(modules.at("filter"), "kuwahara").at("parameters"), "radius");
+  EXPECT_FALSE(radius.at("description").empty());
+  radius.erase("description");
+  EXPECT_EQ(radius, Json::parse(R"({"name": "radius", "title": "Radius", "type": "integer",
+      "default": 2, "minimum": 0, "maximum": 15, "step": 1, "unit": "px", "level": "basic"})"));
   const Json& tone = found(modules.at("shading"), "tone").at("parameters");
   EXPECT_EQ(found(tone, "dark").at("type"), "colour");
   EXPECT_EQ(found(tone, "lambert").at("type"), "choice");

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "scene/json_text.h"
 #include "scene/resolve.h"
 #include "scene/schema.h"
 #include "scene/styles.h"
@@ -19,7 +20,8 @@ void collect_fields(const Json& value, const std::string& pointer, std::set<std:
     fields.insert(pointer);
     return;
   }
-  for (const auto& [key, field] : value.items()) collect_fields(field, pointer + "/" + key, fields);
+  for (const auto& [key, field] : value.items())
+    collect_fields(field, pointer_to(pointer, key), fields);
 }
 
 std::set<std::string> fields_of(const Style& style) {

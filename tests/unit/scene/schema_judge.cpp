@@ -1,4 +1,4 @@
-#include "scene/schema_judge.h"
+#include "unit/scene/schema_judge.h"
 
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>

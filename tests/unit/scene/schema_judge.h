@@ -1,4 +1,4 @@
-// Whether a document follows a schema, by the library that implements the standard.
+// Whether a document follows a schema, by valijson: the reference for our own checker.
 #pragma once
 
 #include <memory>
