@@ -1,0 +1,153 @@
+#include "app/info_command.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "volume/phantoms.h"
+
+namespace cutaway {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What is printed of a volume: everything but its voxels.
+struct Facts {
+  VolumeDescription description;
+  VolumeGeometry geometry;
+  ValueRange value_range;
+};
+
+struct Report {
+  std::vector<Facts> volumes;
+  std::vector<RefusedFile> refused;
+};
+
+/// -0.0 says nothing more than 0.
+std::array<double, 3> plain(glm::dvec3 v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
+
+std::array<double, 9> row_major(const glm::dmat3& m) {
+  std::array<double, 9> values{};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      values.at(static_cast<std::size_t>(row * 3 + column)) = m[column][row] + 0.0;
+    }
+  }
+  return values;
+}
+
+std::array<int, 3> extents(const Facts& facts) {
+  const glm::ivec3 size = facts.geometry.size_voxels;
+  return {size.x, size.y, size.z};
+}
+
+Json to_json(const Facts& facts) {
+  const VolumeDescription& description = facts.description;
+  return {{"id", description.id},
+          {"title", description.title},
+          {"format", description.format},
+          {"modality", description.modality},
+          {"size", extents(facts)},
+          {"spacing_mm", plain(facts.geometry.spacing_mm)},
+          {"origin_lps_mm", plain(facts.geometry.origin_patient_mm)},
+          {"direction_lps", row_major(facts.geometry.direction_patient)},
+          {"value_range", std::array{facts.value_range.minimum, facts.value_range.maximum}},
+          {"units", description.units},
+          {"warnings", description.warnings}};
+}
+
+void print_json(const Report& report, std::ostream& out) {
+  Json document = {{"volumes", Json::array()}, {"refused", Json::array()}};
+  for (const auto& facts : report.volumes) document["volumes"].push_back(to_json(facts));
+  for (const auto& [path, reason] : report.refused) {
+    document["refused"].push_back({{"path", path.string()}, {"reason", reason}});
+  }
+  out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+void print_lines(const Report& report, std::ostream& out) {
+  for (const auto& facts : report.volumes) {
+    const VolumeDescription& description = facts.description;
+    const std::string modality = description.modality.empty() ? "" : ", " + description.modality;
+    const std::string unit = description.units == "none" ? "" : " " + description.units;
+    out << fmt::format("{}\n  title      {}\n  format     {}{}\n", description.id,
+                       description.title, description.format, modality)
+        << fmt::format("  size       {} voxels\n", fmt::join(extents(facts), " x "))
+        << fmt::format("  spacing    {:.6g} mm\n",
+                       fmt::join(plain(facts.geometry.spacing_mm), " x "))
+        << fmt::format("  origin     {:.6g} mm (LPS)\n",
+                       fmt::join(plain(facts.geometry.origin_patient_mm), ", "))
+        << fmt::format("  direction  {:.4g}\n",
+                       fmt::join(row_major(facts.geometry.direction_patient), " "))
+        << fmt::format("  values     {:.6g} to {:.6g}{}\n", facts.value_range.minimum,
+                       facts.value_range.maximum, unit);
+    for (const auto& warning : description.warnings) out << "  warning    " << warning << '\n';
+  }
+  for (const auto& [path, reason] : report.refused) {
+    out << "refused " << path.string() << "\n  " << reason << '\n';
+  }
+  if (report.volumes.empty() && report.refused.empty()) out << "no volumes\n";
+}
+
+Facts facts_of(Volume volume) {
+  return {std::move(volume.description), volume.geometry, volume.value_range};
+}
+
+Report read_all(const Listing& listing, const InfoReaders& readers) {
+  Report report{.volumes = {}, .refused = listing.refused};
+  for (const auto& source : listing.volumes) {
+    try {
+      report.volumes.push_back(facts_of(readers.read(source)));
+    } catch (const Error& error) {
+      Error::Detail detail = error.detail();
+      const fs::path path = detail.field.empty() ? source.files.front() : fs::path(detail.field);
+      detail.field.clear();
+      report.refused.push_back({path, Error(detail).what()});
+    }
+  }
+  return report;
+}
+
+Report examine(const std::string& path, const InfoReaders& readers) {
+  if (const auto phantom = parse_phantom_id(path)) {
+    return {{facts_of(make_phantom(*phantom, {}, {}))}, {}};
+  }
+  if (!readers.scan) {
+    throw Error({.code = "volume-refused",
+                 .message = "this build reads no files",
+                 .field = path,
+                 .expected = "phantom:head, phantom:abdomen or phantom:knees"});
+  }
+  std::error_code failed;
+  const fs::path absolute = fs::absolute(path);
+  const bool is_folder = fs::is_directory(absolute, failed);
+  return read_all(readers.scan(absolute, is_folder ? absolute : absolute.parent_path()), readers);
+}
+
+}  // namespace
+
+int run_info(const InfoRequest& request, const InfoReaders& readers, std::ostream& out,
+             std::ostream& errors) {
+  try {
+    const Report report = examine(request.path, readers);
+    request.as_json ? print_json(report, out) : print_lines(report, out);
+    std::error_code failed;
+    const bool is_file = fs::is_regular_file(request.path, failed);
+    if (!is_file || !report.volumes.empty()) return 0;
+    errors << "cutaway info: " << request.path << ": "
+           << (report.refused.empty() ? "no volume of a known format"
+                                      : report.refused.front().reason)
+           << '\n';
+  } catch (const Error& error) {
+    errors << "cutaway info: " << error.what() << '\n';
+  }
+  return 1;
+}
+
+}  // namespace cutaway

@@ -1,0 +1,189 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "import/data_root.h"
+#include "import/dicom_pixels.h"
+#include "import/dicom_series.h"
+#include "import/formats.h"
+#include "import/refusal.h"
+
+namespace cutaway::reading {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// One number type for all planes, and one rescale; else each plane is rescaled as it is read, into
+/// floats.
+bool is_uniform(const DicomGroup& group) {
+  const DicomFrame& first = group.frames.front();
+  return std::all_of(group.frames.begin(), group.frames.end(), [&](const DicomFrame& frame) {
+    return frame.component == first.component && frame.slope == first.slope &&
+           frame.intercept == first.intercept;
+  });
+}
+
+Component voxel_type(const DicomGroup& group) {
+  return is_uniform(group) ? group.frames.front().component : Component::float32;
+}
+
+GridPlan plan_group(const DicomGroup& group, const ImportLimits& limits) {
+  const fs::path& file = group.frames.front().file;
+  const glm::ivec2 size = group.frames.front().size_px;
+  const std::size_t bytes = component_bytes(voxel_type(group));
+  checked_voxel_count(
+      file,
+      std::array{std::int64_t(size.x), std::int64_t(size.y), std::int64_t(group.frames.size())},
+      bytes, limits);
+  return plan_grid(file, stack_of(group), bytes, limits);
+}
+
+std::vector<fs::path> files_of(const DicomGroup& group) {
+  std::set<fs::path> files;
+  for (const auto& frame : group.frames) files.insert(frame.file);
+  return {files.begin(), files.end()};
+}
+
+bool is_hounsfield(const DicomFrame& frame) {
+  return frame.modality == "CT" && !frame.is_localizer &&
+         (frame.rescale_type.empty() || frame.rescale_type.starts_with("HU"));
+}
+
+/// A file of its own goes by its name, a series by its folder.
+fs::path place_of(const std::vector<fs::path>& files) {
+  return files.size() == 1 ? files.front() : common_folder(files);
+}
+
+VolumeDescription describe(const DicomGroup& group, const GridPlan& plan, const fs::path& root) {
+  const DicomFrame& first = group.frames.front();
+  const fs::path place = place_of(files_of(group));
+  VolumeDescription description;
+  description.id = volume_id(place, root);
+  description.title = first.title.empty() ? printable(place.filename().string()) : first.title;
+  if (!group.label.empty()) description.title += " (" + group.label + ")";
+  description.format = "DICOM";
+  description.modality = first.modality;
+  description.units = is_hounsfield(first) ? "HU" : "none";
+  description.warnings = group.warnings;
+  description.warnings.insert(description.warnings.end(), plan.warnings.begin(),
+                              plan.warnings.end());
+  if (first.low_is_bright) {
+    description.warnings.emplace_back("the images are meant to be shown inverted (MONOCHROME1)");
+  }
+  return description;
+}
+
+struct Found {
+  VolumeSource source;
+  std::string series_uid;
+};
+
+/// Two volumes of one folder need more than its name to tell them apart.
+void make_ids_unique(std::vector<Found>& found) {
+  std::map<std::string, int> uses;
+  for (const auto& [source, uid] : found) ++uses[source.description.id];
+  for (auto& [source, uid] : found) {
+    std::string& id = source.description.id;
+    if (uses[id] < 2) continue;
+    id += "~" + short_hash(uid);
+    if (!source.part.empty()) id += "~" + source.part;
+  }
+}
+
+std::vector<DicomFrame> read_headers(std::span<const fs::path> files, const std::stop_token& stop,
+                                     std::vector<RefusedFile>& refused) {
+  std::vector<DicomFrame> frames;
+  for (const auto& file : files) {
+    throw_if_cancelled(stop);
+    try {
+      for (auto& frame : read_dicom_frames(file)) frames.push_back(std::move(frame));
+    } catch (const Error& error) {
+      refused.push_back({file, reason_of(error)});
+    }
+  }
+  return frames;
+}
+
+/// The group that a scan described; its files alone may group to itself, or, where several volumes
+/// share a file, to all of them.
+DicomGroup group_of(const VolumeSource& source, const ReadContext& context) {
+  std::vector<DicomFrame> frames;
+  for (std::size_t i = 0; i < source.files.size(); ++i) {
+    throw_if_cancelled(context.stop);
+    for (auto& frame : read_dicom_frames(source.files[i])) frames.push_back(std::move(frame));
+    const auto read = static_cast<double>(i + 1) / static_cast<double>(source.files.size());
+    if (context.progress) context.progress(LoadStage::read, read);
+  }
+  DicomGrouping grouping = group_frames(std::move(frames));
+  for (auto& group : grouping.groups) {
+    if (grouping.groups.size() == 1 || group.part == source.part) return std::move(group);
+  }
+  refuse(source.files.front(), "the series changed while it was read");
+}
+
+std::map<fs::path, std::vector<std::size_t>> frames_by_file(const DicomGroup& group) {
+  std::map<fs::path, std::vector<std::size_t>> by_file;
+  for (std::size_t k = 0; k < group.frames.size(); ++k) by_file[group.frames[k].file].push_back(k);
+  return by_file;
+}
+
+RawVoxels decode(const DicomGroup& group, const ReadContext& context) {
+  const glm::ivec2 size = group.frames.front().size_px;
+  const std::size_t slice_voxels = std::size_t(size.x) * size.y;
+  RawVoxels voxels = make_raw_voxels(voxel_type(group), slice_voxels * group.frames.size());
+  std::size_t done = 0;
+  for (const auto& [file, slices] : frames_by_file(group)) {
+    throw_if_cancelled(context.stop);
+    const std::size_t frames_in_file =
+        static_cast<std::size_t>(group.frames[slices.front()].frames_in_file);
+    const DicomPixels pixels(group.frames[slices.front()], frames_in_file);
+    for (const std::size_t k : slices) pixels.store(group.frames[k], voxels, k * slice_voxels);
+    done += slices.size();
+    const auto decoded = static_cast<double>(done) / static_cast<double>(group.frames.size());
+    if (context.progress) context.progress(LoadStage::decode, decoded);
+  }
+  return voxels;
+}
+
+}  // namespace
+
+Listing find_dicom(std::span<const fs::path> files, const ScanContext& context) {
+  Listing listing;
+  std::vector<DicomFrame> frames = read_headers(files, context.stop, listing.refused);
+  DicomGrouping grouping = group_frames(std::move(frames));
+  std::vector<Found> found;
+  for (const auto& group : grouping.groups) {
+    try {
+      const GridPlan plan = plan_group(group, context.limits);
+      found.push_back(
+          {{describe(group, plan, context.root), plan.geometry, files_of(group), group.part},
+           group.frames.front().series_uid});
+    } catch (const Error& error) {
+      listing.refused.push_back({place_of(files_of(group)), reason_of(error)});
+    }
+  }
+  make_ids_unique(found);
+  for (auto& [source, uid] : found) listing.volumes.push_back(std::move(source));
+  listing.refused.insert(listing.refused.end(), grouping.refused.begin(), grouping.refused.end());
+  return listing;
+}
+
+RawVolume read_dicom(const VolumeSource& source, const ReadContext& context) {
+  const DicomGroup group = group_of(source, context);
+  const GridPlan plan = plan_group(group, context.limits);
+  RawVolume raw;
+  raw.description = source.description;
+  raw.geometry = plan.geometry;
+  raw.voxels = decode(group, context);
+  if (plan.needs_resampling) raw.voxels = resample(raw.voxels, stack_of(group), plan, context.stop);
+  if (is_uniform(group)) {
+    raw.slope = group.frames.front().slope;
+    raw.intercept = group.frames.front().intercept;
+  }
+  return raw;
+}
+
+}  // namespace cutaway::reading

@@ -1,0 +1,40 @@
+// TIFF and PNG pictures. The only file that includes OpenImageIO is this one's.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "import/raw_voxels.h"
+
+namespace cutaway::reading {
+
+/// What is the same for all pages of a file, and of a stack.
+struct PixelLayout {
+  glm::ivec2 size_px{0};
+  std::size_t channels = 1;
+  Component component = Component::uint8;
+  bool operator==(const PixelLayout&) const = default;
+};
+
+struct ImageFile {
+  PixelLayout layout;
+  int pages = 1;
+  std::optional<glm::dvec2>
+      pixel_spacing_mm;                    ///< from its resolution, where that has a unit of length
+  std::optional<double> slice_spacing_mm;  ///< as ImageJ notes it in a TIFF's description
+};
+
+/// Reads headers only. Throws Error naming the file where it is broken, where its pages differ, or
+/// for a number type that is not read.
+ImageFile open_image_file(const std::filesystem::path& file);
+
+/// One page's pixels, channels interleaved, in the layout's number type. Throws Error naming the
+/// file.
+void read_image_page(const std::filesystem::path& file, int page, const PixelLayout& layout,
+                     std::span<std::byte> pixels);
+
+}  // namespace cutaway::reading

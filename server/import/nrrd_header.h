@@ -1,0 +1,39 @@
+// The NRRD header.
+// Source: G. Kindlmann, "Definition of NRRD File Format", teem.sourceforge.net/nrrd/format.html.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "import/raw_voxels.h"
+#include "import/text_header.h"
+#include "import/voxel_data.h"
+
+namespace cutaway::reading {
+
+/// Fields by their lower-case name without blanks ("spacedirections"); `further_lines` after "data
+/// file: LIST". Throws Error naming the file.
+TextHeader parse_nrrd_header(const std::filesystem::path& file);
+
+Component nrrd_component(const std::filesystem::path& file, const TextHeader& text);
+Encoding nrrd_encoding(const std::filesystem::path& file, const TextHeader& text);
+
+/// One axis of the array; one without a place in space holds channels or times.
+struct NrrdAxis {
+  std::int64_t extent = 0;
+  bool is_spatial = true;
+  bool is_colour = false;
+  std::optional<double> spacing;        ///< from "spacings"
+  std::optional<glm::dvec3> direction;  ///< from "space directions", in the file's own space
+};
+
+/// Throws Error naming the file for extents, spacings and directions that are not usable, or lists
+/// that are not as long as the dimension.
+std::vector<NrrdAxis> nrrd_axes(const std::filesystem::path& file, const TextHeader& text);
+
+/// Factors from the file's space to LPS; nothing where it names none of the patient's.
+std::optional<glm::dvec3> nrrd_to_lps(const TextHeader& text);
+
+glm::dvec3 nrrd_origin(const std::filesystem::path& file, const TextHeader& text);
+
+}  // namespace cutaway::reading

@@ -1,0 +1,130 @@
+#include "import/text_header.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "import/data_root.h"
+#include "import/refusal.h"
+
+namespace cutaway::reading {
+
+namespace {
+
+constexpr std::size_t kLargestHeaderBytes = std::size_t{4} << 20;
+constexpr std::size_t kLargestLineBytes = std::size_t{64} << 10;
+constexpr std::int64_t kLargestFileCount = 32768;
+
+double number_of(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Where the conversion of `pattern` begins and ends, and its width.
+struct Conversion {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  std::size_t width = 0;
+  bool zero_padded = false;
+};
+
+std::optional<Conversion> find_conversion(std::string_view pattern) {
+  Conversion found{.begin = pattern.find('%')};
+  if (found.begin == std::string_view::npos) return std::nullopt;
+  std::size_t at = found.begin + 1;
+  found.zero_padded = at < pattern.size() && pattern[at] == '0';
+  for (; at < pattern.size() && pattern[at] >= '0' && pattern[at] <= '9'; ++at) {
+    found.width = found.width * 10 + static_cast<std::size_t>(pattern[at] - '0');
+    if (found.width > 20) return std::nullopt;
+  }
+  if (at >= pattern.size() || pattern[at] != 'd') return std::nullopt;
+  found.end = at + 1;
+  if (pattern.find('%', found.end) != std::string_view::npos) return std::nullopt;
+  return found;
+}
+
+std::string with_number(std::string_view pattern, const Conversion& place, std::int64_t number) {
+  std::string digits = std::to_string(number);
+  if (digits.size() < place.width) {
+    digits.insert(0, place.width - digits.size(), place.zero_padded ? '0' : ' ');
+  }
+  return std::string(pattern.substr(0, place.begin)) + digits +
+         std::string(pattern.substr(place.end));
+}
+
+}  // namespace
+
+std::optional<std::string> TextHeader::find(std::string_view name) const {
+  const auto found = fields.find(name);
+  if (found == fields.end()) return std::nullopt;
+  return found->second;
+}
+
+HeaderLines::HeaderLines(const std::filesystem::path& file) {
+  std::ifstream input(file, std::ios::binary);
+  if (!input) refuse(file, "the file cannot be opened");
+  text_.resize(kLargestHeaderBytes);
+  input.read(text_.data(), static_cast<std::streamsize>(text_.size()));
+  text_.resize(static_cast<std::size_t>(input.gcount()));
+  if (text_.empty()) refuse(file, "the file is empty");
+}
+
+std::optional<std::string> HeaderLines::next() {
+  if (position_ >= text_.size()) return std::nullopt;
+  const std::size_t end = text_.find('\n', position_);
+  const std::size_t stop = end == std::string::npos ? text_.size() : end;
+  if (stop - position_ > kLargestLineBytes) return std::nullopt;
+  std::string line = text_.substr(position_, stop - position_);
+  position_ = end == std::string::npos ? text_.size() : end + 1;
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  return line;
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+std::vector<double> numbers_of(std::string_view text) {
+  std::vector<double> numbers;
+  for (const auto& word : words_of(text)) numbers.push_back(number_of(word));
+  return numbers;
+}
+
+std::optional<std::int64_t> integer_of(std::string_view text) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string> expand_file_pattern(const std::filesystem::path& file,
+                                             std::string_view text) {
+  if (text.find('%') == std::string_view::npos) return {std::string(text)};
+  const std::vector<std::string> words = words_of(text);
+  const auto place = find_conversion(words.empty() ? std::string_view() : words.front());
+  const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : std::string(); };
+  const std::int64_t first = integer_of(word(1)).value_or(-1);
+  const std::int64_t last = integer_of(word(2)).value_or(-1);
+  const std::int64_t step = words.size() > 3 ? integer_of(words[3]).value_or(0) : 1;
+  const bool usable = place && step > 0 && first >= 0 && last >= first &&
+                      last < std::numeric_limits<std::int32_t>::max() &&
+                      (last - first) / step < kLargestFileCount;
+  if (!usable) {
+    refuse(file, "the pattern of data file names is not usable", "name%03d.raw first last step",
+           printable(text));
+  }
+  std::vector<std::string> names;
+  for (std::int64_t number = first; number <= last; number += step) {
+    names.push_back(with_number(words.front(), *place, number));
+  }
+  return names;
+}
+
+}  // namespace cutaway::reading

@@ -1,0 +1,48 @@
+// The text headers of NRRD and MetaImage: fields by name, and the files that they point to.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "import/reader.h"
+
+namespace cutaway::reading {
+
+struct TextHeader {
+  std::map<std::string, std::string, std::less<>> fields;
+  std::vector<std::string>
+      further_lines;        ///< after a field that ends the header and announces a list
+  std::uint64_t bytes = 0;  ///< where attached voxels begin
+
+  std::optional<std::string> find(std::string_view name) const;
+};
+
+/// The lines at the start of a file, without their ends: nothing more after 4 MiB or at a line of
+/// over 64 KiB, which no header has. Throws Error naming `file` where it is empty.
+class HeaderLines {
+ public:
+  explicit HeaderLines(const std::filesystem::path& file);
+  std::optional<std::string> next();
+  std::uint64_t position() const { return position_; }
+
+ private:
+  std::string text_;
+  std::uint64_t position_ = 0;
+};
+
+/// Words parted by blanks. Numbers that are none give NaN, so that a check sees them.
+std::vector<std::string> words_of(std::string_view text);
+std::vector<double> numbers_of(std::string_view text);
+std::optional<std::int64_t> integer_of(std::string_view text);
+
+/// "slice%03d.raw 1 99 1" to its names; one name alone to itself. Throws Error naming `file` for
+/// any conversion other than one of an integer.
+std::vector<std::string> expand_file_pattern(const std::filesystem::path& file,
+                                             std::string_view text);
+
+}  // namespace cutaway::reading
