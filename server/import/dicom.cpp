@@ -93,11 +93,11 @@ void make_ids_unique(std::vector<Found>& found) {
   }
 }
 
-std::vector<DicomFrame> read_headers(std::span<const fs::path> files, const std::stop_token& stop,
+std::vector<DicomFrame> read_headers(std::span<const fs::path> files, const ScanContext& context,
                                      std::vector<RefusedFile>& refused) {
   std::vector<DicomFrame> frames;
   for (const auto& file : files) {
-    throw_if_cancelled(stop);
+    context.begin_file(file);
     try {
       for (auto& frame : read_dicom_frames(file)) frames.push_back(std::move(frame));
     } catch (const Error& error) {
@@ -152,7 +152,7 @@ RawVoxels decode(const DicomGroup& group, const ReadContext& context) {
 
 Listing find_dicom(std::span<const fs::path> files, const ScanContext& context) {
   Listing listing;
-  std::vector<DicomFrame> frames = read_headers(files, context.stop, listing.refused);
+  std::vector<DicomFrame> frames = read_headers(files, context, listing.refused);
   DicomGrouping grouping = group_frames(std::move(frames));
   std::vector<Found> found;
   for (const auto& group : grouping.groups) {

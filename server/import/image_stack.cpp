@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "import/data_root.h"
@@ -31,12 +32,15 @@ struct Stack {
   }
 };
 
+using BeginFile = std::function<void(const fs::path&)>;
+
 /// All pictures of a stack have one size and number type.
-void open_pictures(Stack& stack, const std::stop_token& stop) {
+void open_pictures(Stack& stack, const BeginFile& begin_file) {
+  begin_file(stack.files.front());
   stack.first = open_image_file(stack.files.front());
   if (stack.files.size() == 1) return;
   for (const auto& file : stack.files) {
-    throw_if_cancelled(stop);
+    begin_file(file);
     const ImageFile image = open_image_file(file);
     if (image.pages > 1) refuse(file, "one picture of the stack has several pages", "one page");
     if (image.layout != stack.first.layout) {
@@ -82,10 +86,10 @@ void lay_out(Stack& stack, const ImportLimits& limits) {
 }
 
 Stack open_stack(std::vector<fs::path> files, const ImportLimits& limits,
-                 const std::stop_token& stop) {
+                 const BeginFile& begin_file) {
   Stack stack;
   stack.files = std::move(files);
-  open_pictures(stack, stop);
+  open_pictures(stack, begin_file);
   const fs::path sidecar = stack.files.front().parent_path() / kSidecarName;
   std::error_code failed;
   if (fs::is_regular_file(fs::symlink_status(sidecar, failed)))
@@ -129,11 +133,13 @@ RefusedFile refused_stack(const std::vector<fs::path>& files, const Error& error
 /// Of one folder and one file type: multi-page files by themselves, the others by their names; with
 /// a sidecar all together.
 std::vector<std::vector<fs::path>> stacks_of_folder(const fs::path& folder,
-                                                    const std::vector<std::string>& names) {
+                                                    const std::vector<std::string>& names,
+                                                    const BeginFile& begin_file) {
   std::error_code failed;
   std::vector<std::string> singles;
   std::vector<std::vector<fs::path>> stacks;
   for (const auto& name : names) {
+    begin_file(folder / name);
     const bool paged = has_pages(folder / name);
     if (paged) stacks.push_back({folder / name});
     if (!paged) singles.push_back(name);
@@ -154,12 +160,12 @@ std::vector<std::vector<fs::path>> stacks_of_folder(const fs::path& folder,
 
 void find_in_folder(const fs::path& folder, const std::vector<std::string>& names,
                     const ScanContext& context, Listing& listing) {
-  const auto stacks = stacks_of_folder(folder, names);
+  const BeginFile begin_file = [&](const fs::path& file) { context.begin_file(file); };
+  const auto stacks = stacks_of_folder(folder, names, begin_file);
   for (const auto& files : stacks) {
-    throw_if_cancelled(context.stop);
     const fs::path named_by = files.size() > 1 && stacks.size() == 1 ? folder : files.front();
     try {
-      const Stack stack = open_stack(files, context.limits, context.stop);
+      const Stack stack = open_stack(files, context.limits, begin_file);
       listing.volumes.push_back(
           {describe(stack, named_by, context.root), stack.plan.geometry, files});
     } catch (const Error& error) {
@@ -185,7 +191,8 @@ Listing find_image_stacks(std::span<const fs::path> files, const ScanContext& co
 }
 
 RawVolume read_image_stack(const VolumeSource& source, const ReadContext& context) {
-  const Stack stack = open_stack(source.files, context.limits, context.stop);
+  const auto begin_file = [&](const fs::path&) { throw_if_cancelled(context.stop); };
+  const Stack stack = open_stack(source.files, context.limits, begin_file);
   if (context.progress) context.progress(LoadStage::read, 1.0);
   const PixelLayout& layout = stack.first.layout;
   const auto slices = static_cast<std::size_t>(stack.slice_count());

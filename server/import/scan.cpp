@@ -1,3 +1,5 @@
+#include "import/scan.h"
+
 #include <algorithm>
 #include <set>
 
@@ -93,6 +95,8 @@ class Walk {
       listing_.refused.push_back({file, "the file's name is not readable text; expected UTF-8"});
       return;
     }
+    if (context_.skip.contains(file)) return;
+    context_.begin_file(file);
     const FileKind kind = kind_of(file);
     std::error_code failed;
     if (kind != FileKind::none && fs::file_size(file, failed) == 0 && !failed) {
@@ -142,14 +146,23 @@ class Walk {
 
 Listing scan_volumes(const fs::path& path, const fs::path& data_root, const ImportLimits& limits,
                      std::stop_token stop) {
+  ScanContext context;
+  context.limits = limits;
+  context.stop = std::move(stop);
+  return scan_in_context(path, data_root, std::move(context));
+}
+
+Listing reading::scan_in_context(const fs::path& path, const fs::path& data_root,
+                                 ScanContext context) {
   std::error_code failed;
   const fs::path canonical = fs::canonical(path, failed);
   if (failed) refuse(path, "there is no such file or folder");
-  const fs::path root = fs::canonical(data_root, failed);
+  context.root = fs::canonical(data_root, failed);
   if (failed) refuse(data_root, "there is no such folder");
-  if (!contained_path(canonical, root))
-    refuse(path, "the path leads out of the data folder", root.string());
-  return Walk({root, limits, std::move(stop)}).run(canonical);
+  if (!contained_path(canonical, context.root)) {
+    refuse(path, "the path leads out of the data folder", context.root.string());
+  }
+  return Walk(std::move(context)).run(canonical);
 }
 
 }  // namespace cutaway

@@ -1,0 +1,94 @@
+#include "import/import_worker.h"
+
+#include <signal.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <span>
+
+#include "import/scan.h"
+#include "import/worker_protocol.h"
+
+namespace cutaway {
+
+using namespace reading;
+
+namespace {
+
+/// Dies with its parent, gains no rights, and is the first to go where memory runs out.
+void keep_harmless() {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  std::ofstream("/proc/self/oom_score_adj") << 1000;
+}
+
+void write_all(int descriptor, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written <= 0) throw std::runtime_error("the answer cannot be written");
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+void report(const char* kind, const Json& content) {
+  const std::string line = text_of({{kind, content}}) + "\n";
+  write_all(kReportDescriptor, std::as_bytes(std::span(line)));
+}
+
+/// A hundred reports a stage are enough for any bar.
+class ThrottledProgress {
+ public:
+  void operator()(LoadStage stage, double fraction) {
+    if (stage == stage_ && fraction < 1.0 && fraction < reported_ + 0.01) return;
+    stage_ = stage;
+    reported_ = fraction;
+    report("progress", progress_report(stage, fraction));
+  }
+
+ private:
+  LoadStage stage_ = LoadStage::read;
+  double reported_ = -1.0;
+};
+
+void read_for(const Json& job, const ImportLimits& limits) {
+  VolumeHead head{read_volume(source_from(job.at("read")), limits, ThrottledProgress(), {}), false};
+  head.is_float = std::holds_alternative<std::vector<float>>(head.volume.voxels);
+  std::visit(
+      [](const auto& voxels) { write_all(kVoxelDescriptor, std::as_bytes(std::span(voxels))); },
+      head.volume.voxels);
+  report("volume", to_json(head));
+}
+
+void scan_for(const Json& job, const ImportLimits& limits) {
+  ScanContext context;
+  context.limits = limits;
+  for (const auto& path : paths_from(job.at("skip"))) context.skip.insert(path);
+  context.on_file = [](const std::filesystem::path& file) { report("file", file.string()); };
+  const auto path = job.at("scan").get<std::string>();
+  const auto root = job.at("root").get<std::string>();
+  report("listing", to_json(scan_in_context(path, root, std::move(context))));
+}
+
+}  // namespace
+
+int run_import_worker() {
+  keep_harmless();
+  try {
+    const std::string text{std::istreambuf_iterator<char>(std::cin),
+                           std::istreambuf_iterator<char>()};
+    const Json job = Json::parse(text);
+    const ImportLimits limits{.volume_bytes = job.at("volume_bytes")};
+    job.contains("scan") ? scan_for(job, limits) : read_for(job, limits);
+  } catch (const Error& error) {
+    report("error", to_json(error));
+  } catch (const std::exception& error) {
+    report("error", to_json(Error({.code = "volume-refused", .message = error.what()})));
+  }
+  return 0;
+}
+
+}  // namespace cutaway

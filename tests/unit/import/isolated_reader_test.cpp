@@ -1,0 +1,233 @@
+#include "import/isolated_reader.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "core/error.h"
+#include "unit/import/import_test_support.h"
+
+namespace cutaway::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+IsolatedReader worker(const std::string& mode = "read-volume-worker") {
+  return {.executable = CUTAWAY_TEST_WORKER, .arguments = {mode}, .memory_bytes = 0};
+}
+
+/// A MetaImage of 16 x 16 x 16 rising numbers.
+fs::path write_volume(const TemporaryFolder& folder) {
+  std::vector<std::int16_t> voxels(4096);
+  for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = static_cast<std::int16_t>(i);
+  const fs::path file = folder / "ramp.mha";
+  write_file(file,
+             "NDims = 3\nDimSize = 16 16 16\nElementSpacing = 1 2 3\nOffset = 4 5 6\n"
+             "ElementType = MET_SHORT\nElementDataFile = LOCAL\n" +
+                 bytes_of_numbers(voxels));
+  return file;
+}
+
+std::string failure(const IsolatedReader& isolation, const VolumeSource& source) {
+  try {
+    read_volume_isolated(isolation, source, {}, {}, {});
+  } catch (const Error& error) {
+    EXPECT_EQ(error.detail().field, source.files.front().string());
+    return error.detail().code + ": " + error.what();
+  }
+  return "";
+}
+
+TEST(IsolatedReader, GivesTheSameVolumeAsTheReaderItself) {
+  TemporaryFolder folder;
+  const VolumeSource source = only_source(write_volume(folder), folder.path());
+  std::vector<std::pair<LoadStage, double>> heard;
+  const auto progress = [&](LoadStage stage, double fraction) {
+    heard.emplace_back(stage, fraction);
+  };
+  const Volume isolated = read_volume_isolated(worker(), source, {}, progress, {});
+  const Volume direct = read(source);
+  EXPECT_EQ(isolated.voxels, direct.voxels);
+  EXPECT_EQ(isolated.geometry, direct.geometry);
+  EXPECT_EQ(isolated.value_range, direct.value_range);
+  EXPECT_EQ(isolated.value_scale, direct.value_scale);
+  EXPECT_EQ(isolated.value_offset, direct.value_offset);
+  EXPECT_EQ(isolated.description.id, direct.description.id);
+  EXPECT_TRUE(std::is_sorted(heard.begin(), heard.end()));
+  ASSERT_FALSE(heard.empty());
+  EXPECT_EQ(heard.back(), (std::pair{LoadStage::decode, 1.0}));
+}
+
+TEST(IsolatedReader, PassesFloatsToo) {
+  TemporaryFolder folder;
+  write_file(folder / "f.mha",
+             "NDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 1 1\nElementType = MET_FLOAT\n"
+             "ElementDataFile = LOCAL\n" +
+                 bytes_of_numbers<float>({0.5F, 1, 2, 3, 4, 5, 6, 1e6F}));
+  const VolumeSource source = only_source(folder.path(), folder.path());
+  EXPECT_EQ(read_volume_isolated(worker(), source, {}, {}, {}).voxels, read(source).voxels);
+}
+
+TEST(IsolatedReader, RefusalsArriveAsTheyWere) {
+  TemporaryFolder folder;
+  const VolumeSource source = only_source(write_volume(folder), folder.path());
+  fs::resize_file(source.files.front(), 1000);
+  EXPECT_EQ(failure(worker(), source), "volume-refused: " + read_failure(source));
+}
+
+TEST(IsolatedReader, LimitsHoldInTheChild) {
+  TemporaryFolder folder;
+  const VolumeSource source = only_source(write_volume(folder), folder.path());
+  try {
+    read_volume_isolated(worker(), source, {.volume_bytes = 100}, {}, {});
+    FAIL() << "read beyond the limit";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.detail().code, "too-large");
+  }
+}
+
+struct Mishap {
+  const char* mode;
+  const char* words;
+};
+
+class IsolatedMishap : public testing::TestWithParam<Mishap> {};
+
+TEST_P(IsolatedMishap, IsAnErrorInWordsAndNothingElse) {
+  TemporaryFolder folder;
+  const VolumeSource source = only_source(write_volume(folder), folder.path());
+  IsolatedReader isolation = worker(GetParam().mode);
+  isolation.processor_time = std::chrono::seconds(1);
+  const bool hangs = GetParam().mode == std::string("progress-then-hang");
+  if (hangs) isolation.silence = std::chrono::milliseconds(500);
+  isolation.memory_bytes = std::uint64_t{1} << 30;
+  const std::string message = failure(isolation, source);
+  EXPECT_TRUE(message.starts_with("volume-refused")) << message;
+  EXPECT_NE(message.find(GetParam().words), std::string::npos) << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, IsolatedMishap,
+                         testing::Values(Mishap{"crash", "crashed (signal 11)"},
+                                         Mishap{"progress-then-hang", "said nothing for"},
+                                         Mishap{"spin", "processor time"},
+                                         Mishap{"garbage", "answer is not usable"},
+                                         Mishap{"null-range", "answer is not usable"},
+                                         Mishap{"huge-grid", "another number of voxels"},
+                                         Mishap{"too-few-voxels", "another number of voxels"},
+                                         Mishap{"nan-voxels", "no numbers"},
+                                         Mishap{"exit-7", "status 7"},
+                                         Mishap{"silent-success", "answer is not usable"}),
+                         [](const auto& test) {
+                           std::string name = test.param.mode;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(IsolatedReader, TooMuchMemoryCostsTheChildOnly) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the address sanitizer needs an address space without limit";
+#endif
+  TemporaryFolder folder;
+  const VolumeSource source = only_source(write_volume(folder), folder.path());
+  IsolatedReader isolation = worker("hog");
+  isolation.memory_bytes = std::uint64_t{1} << 30;
+  EXPECT_NE(failure(isolation, source).find("crashed (signal 6)"), std::string::npos);
+}
+
+TEST(IsolatedReader, StoppingKillsTheChild) {
+  TemporaryFolder folder;
+  const VolumeSource source = only_source(write_volume(folder), folder.path());
+  std::stop_source stop;
+  // The child hangs after its first report; without the stop only the two minutes of silence would
+  // end this.
+  const auto progress = [&](LoadStage, double) { stop.request_stop(); };
+  EXPECT_THROW(
+      read_volume_isolated(worker("progress-then-hang"), source, {}, progress, stop.get_token()),
+      Cancelled);
+}
+
+TEST(IsolatedReader, StoppingFromAnotherThreadWakesTheWait) {
+  TemporaryFolder folder;
+  const VolumeSource source = only_source(write_volume(folder), folder.path());
+  std::stop_source stop;
+  std::atomic<bool> heard = false;
+  const auto progress = [&](LoadStage, double) {
+    heard = true;
+    heard.notify_all();
+  };
+  const std::jthread stopper([&] {
+    heard.wait(false);
+    stop.request_stop();
+  });
+  EXPECT_THROW(
+      read_volume_isolated(worker("progress-then-hang"), source, {}, progress, stop.get_token()),
+      Cancelled);
+}
+
+TEST(IsolatedReader, AMissingExecutableIsSaid) {
+  TemporaryFolder folder;
+  const VolumeSource source = only_source(write_volume(folder), folder.path());
+  const IsolatedReader nobody{.executable = folder / "nobody"};
+  EXPECT_NE(failure(nobody, source).find("cannot be started"), std::string::npos);
+}
+
+std::size_t open_descriptors() {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator()));
+}
+
+TEST(IsolatedReader, LeavesNoDescriptorsAndNoChildren) {
+  TemporaryFolder folder;
+  const VolumeSource source = only_source(write_volume(folder), folder.path());
+  const std::size_t before = open_descriptors();
+  for (const char* mode : {"read-volume-worker", "crash", "garbage"}) {
+    try {
+      read_volume_isolated(worker(mode), source, {}, {}, {});
+    } catch (const Error&) {
+    }
+  }
+  EXPECT_EQ(open_descriptors(), before);
+  EXPECT_EQ(access("/proc/self/task", F_OK), 0);
+  EXPECT_TRUE(read_file("/proc/self/task/" + std::to_string(getpid()) + "/children").empty());
+}
+
+TEST(IsolatedScan, ListsTheSameAsTheScanItself) {
+  TemporaryFolder folder;
+  write_volume(folder);
+  write_file(folder / "broken.nii", "x");
+  const Listing isolated = scan_volumes_isolated(worker(), folder.path(), folder.path(), {}, {});
+  const Listing direct = scan(folder.path());
+  ASSERT_EQ(isolated.volumes.size(), 1U);
+  EXPECT_EQ(isolated.volumes[0].geometry, direct.volumes[0].geometry);
+  EXPECT_EQ(isolated.volumes[0].files, direct.volumes[0].files);
+  ASSERT_EQ(isolated.refused.size(), 1U);
+  EXPECT_EQ(isolated.refused[0].reason, direct.refused[0].reason);
+}
+
+/// The worker crashes at the same file each time, whatever is skipped: the scan gives up in words.
+TEST(IsolatedScan, ACrashAtOneFileIsRefusedByItsName) {
+  TemporaryFolder folder;
+  const fs::path script = folder / "worker.sh";
+  write_file(script,
+             std::string("#!/bin/sh\nread -r job\ncase \"$job\" in\n*'\"skip\":[]'*) exec ") +
+                 CUTAWAY_TEST_WORKER + " crash-at-file;;\n*) echo \"$job\" | " +
+                 CUTAWAY_TEST_WORKER + " read-volume-worker;;\nesac\n");
+  fs::permissions(script, fs::perms::owner_all);
+  write_volume(folder);
+  const Listing listing = scan_volumes_isolated({.executable = script, .arguments = {}},
+                                                folder.path(), folder.path(), {}, {});
+  ASSERT_EQ(listing.refused.size(), 1U);
+  EXPECT_EQ(listing.refused[0].path, "/crasher.nii");
+  EXPECT_NE(listing.refused[0].reason.find("crashed"), std::string::npos);
+  EXPECT_EQ(listing.volumes.size(), 1U);
+}
+
+TEST(IsolatedScan, AMissingFolderIsAnError) {
+  EXPECT_THROW(scan_volumes_isolated(worker(), "/nowhere", "/nowhere", {}, {}), Error);
+}
+
+}  // namespace
+}  // namespace cutaway::test
