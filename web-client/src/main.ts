@@ -7,12 +7,15 @@ import { keepSceneInAddress } from './session/address_bar.ts';
 import { openViewerSession } from './session/viewer_session.ts';
 import { webSocketUrl } from './stream/stream.ts';
 
+/** An address that is revoked before the browser has read it saves nothing. */
+const SAVING_TAKES_MS = 60_000;
+
 function saveFile(name: string, content: Blob): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(content);
   link.download = name;
   link.click();
-  URL.revokeObjectURL(link.href);
+  setTimeout(() => URL.revokeObjectURL(link.href), SAVING_TAKES_MS);
 }
 
 const canvas = document.createElement('canvas');

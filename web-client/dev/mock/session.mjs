@@ -7,8 +7,8 @@ import { refused, summary, volumes } from './volumes.mjs';
 
 const REST_MS = 200;
 const LOAD_STEP_MS = 60;
-const LIVE_SCALE = 0.3;
-const STILL_SCALE = 0.6;
+const LIVE_SCALE = 0.15;
+const STILL_SCALE = 0.35;
 
 function frameMessage(header, picture) {
   const bytes = Buffer.alloc(56);

@@ -37,7 +37,7 @@ export class AdjustTab extends SessionElement {
   static override styles = [
     shared,
     css`
-      h4 {
+      h3 {
         margin: 6px 0 0;
         color: var(--text-quiet);
         font-size: 12px;
@@ -86,7 +86,7 @@ export class AdjustTab extends SessionElement {
         .group=${heading}
         .change=${this.change}
       ></cutaway-module-fields>
-      <h4>Filters, in the order they run</h4>
+      <h3>Filters, in the order they run</h3>
       <cutaway-filter-list
         .model=${filterListModel(branch, capabilities.modules.filter, scene)}
         .group=${heading}

@@ -13,7 +13,15 @@ import './viewport.ts';
 
 @customElement('cutaway-app')
 export class CutawayApp extends SessionElement {
-  protected override readonly draws = ['link', 'shown', 'loading', 'volume', 'panel_open'] as const;
+  protected override readonly draws = [
+    'link',
+    'sent_input',
+    'shown',
+    'loading',
+    'volume',
+    'panel_open',
+    'address_current',
+  ] as const;
 
   @property({ attribute: false }) canvas!: HTMLCanvasElement;
 
@@ -76,14 +84,16 @@ export class CutawayApp extends SessionElement {
 
   override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    const { link, shown, loading, volume, panel_open } = this.state;
+    const { link, shown, loading, volume, panel_open, sent_input, address_current } = this.state;
     this.mark('connection', link.phase);
     this.mark('frame', shown?.frame);
     this.mark('input', shown?.input);
+    this.mark('sent', sent_input);
     this.mark('revision', shown?.revision);
     this.mark('still', shown && String(shown.still));
     this.mark('loading', loading?.stage);
     this.mark('volume', volume?.id);
+    this.mark('address', address_current ? 'current' : 'pending');
     this.mark('panel', panel_open ? 'open' : 'closed');
   }
 

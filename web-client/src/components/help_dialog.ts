@@ -35,7 +35,7 @@ export class HelpDialog extends SessionElement {
       dialog::backdrop {
         background: rgb(0 0 0 / 55%);
       }
-      header {
+      .head {
         display: flex;
         align-items: center;
         justify-content: space-between;
@@ -88,7 +88,7 @@ export class HelpDialog extends SessionElement {
       @close=${() => this.session.commands.toggleHelp(false)}
       @click=${this.onClick}
     >
-      <header>
+      <div class="head">
         <h2 id="heading">Help</h2>
         <button
           class="icon-button"
@@ -98,7 +98,7 @@ export class HelpDialog extends SessionElement {
         >
           <wa-icon name="close"></wa-icon>
         </button>
-      </header>
+      </div>
       <div class="body">
         <h3>Mouse, touchpad, touch</h3>
         <dl>${GESTURES.map(([what, meaning]) => row(what, meaning))}</dl>

@@ -66,7 +66,7 @@ export class CutawayPanel extends SessionElement {
         flex: 1;
         min-height: 0;
         padding: 14px;
-        overflow: hidden auto;
+        overflow: auto;
         overscroll-behavior: contain;
         scrollbar-width: thin;
         scrollbar-color: var(--line-strong) transparent;

@@ -36,7 +36,7 @@ export class PanelSection extends LitElement {
       details[open] summary wa-icon {
         transform: rotate(180deg);
       }
-      h3 {
+      h2 {
         font-size: 14px;
         font-weight: 600;
       }
@@ -51,7 +51,7 @@ export class PanelSection extends LitElement {
   override render() {
     return html`<details ?open=${this.open}>
       <summary>
-        <h3>${this.heading}</h3>
+        <h2>${this.heading}</h2>
         <span class="quiet small">${this.hint}</span>
         <wa-icon name="down"></wa-icon>
       </summary>

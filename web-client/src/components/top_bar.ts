@@ -32,6 +32,8 @@ export class TopBar extends SessionElement {
         display: flex;
         align-items: center;
         gap: 9px;
+        margin: 0;
+        font-size: 14px;
         font-weight: 650;
         letter-spacing: 0.01em;
       }
@@ -112,7 +114,7 @@ export class TopBar extends SessionElement {
     const { link, volume, panel_open, shown } = this.state;
     const { commands } = this.session;
     return html`
-      <div class="brand"><img src="./favicon.svg" alt="" /><span>Cutaway</span></div>
+      <h1 class="brand"><img src="./favicon.svg" alt="" /><span>Cutaway</span></h1>
       <div class="volume" data-part="volume-title">
         ${
           volume

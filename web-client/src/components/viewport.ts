@@ -105,7 +105,6 @@ export class CutawayViewport extends SessionElement {
       (this.size?.width_px ?? 1) / Math.max(1, this.stage.clientWidth);
     new PointerGestures(this.stage, commands, device_pixels);
     listenToWheel(this, commands);
-    this.stage.addEventListener('pointerdown', () => this.stage.focus({ preventScroll: true }));
     this.stage.addEventListener('keydown', (event) => applyKey(event, commands, device_pixels()));
     this.observer = observeViewport(this.canvas, (size) => this.resized(size));
   }

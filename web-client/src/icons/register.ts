@@ -5,5 +5,12 @@ import sprite from './icons.svg?url&no-inline';
 
 const resolver = (name: string): string => `${sprite}#${name}`;
 
-for (const library of ['default', 'system'])
-  registerIconLibrary(library, { resolver, spriteSheet: true });
+/** A drawing from a sprite has no size of its own and would take 300 pixels. */
+function sized(drawing: SVGElement): void {
+  drawing.setAttribute('width', '1em');
+  drawing.setAttribute('height', '1em');
+}
+
+for (const library of ['default', 'system']) {
+  registerIconLibrary(library, { resolver, mutator: sized, spriteSheet: true });
+}

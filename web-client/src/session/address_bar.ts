@@ -9,10 +9,15 @@ export function keepSceneInAddress(session: ViewerSession): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const write = async (): Promise<void> => {
     const { scene } = session.store.state;
-    if (scene) history.replaceState(null, '', await sceneToAddress(scene as JsonObject));
+    if (!scene) return;
+    const address = await sceneToAddress(scene as JsonObject);
+    if (session.store.state.scene !== scene) return;
+    history.replaceState(null, '', address);
+    session.store.update({ address_current: true });
   };
   session.store.subscribe((state, before) => {
     if (state.scene === before.scene) return;
+    session.store.update({ address_current: false });
     clearTimeout(timer);
     timer = setTimeout(() => void write(), REST_MS);
   });

@@ -104,7 +104,9 @@ export class SceneLink implements OutboxSender {
   }
 
   private stamp(): { input: number; clock_ms: number } {
-    return { input: this.inputs.next(), clock_ms: clockMs() };
+    const input = this.inputs.next();
+    this.store.update({ sent_input: input });
+    return { input, clock_ms: clockMs() };
   }
 
   private publish(): void {

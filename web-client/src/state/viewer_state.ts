@@ -29,10 +29,14 @@ export interface ViewerState {
   readonly scene: Scene | undefined;
   readonly volume: VolumeSummary | undefined;
   readonly viewport: Viewport | undefined;
+  /** Number of the last input that went out. */
+  readonly sent_input: number;
   readonly shown: ShownFrame | undefined;
   /** What the picture shows; behind `scene` by its latency. */
   readonly shown_scene: Scene | undefined;
   readonly frames_per_second: number;
+  /** Whether the page's address holds `scene`. */
+  readonly address_current: boolean;
   readonly toasts: readonly Toast[];
   readonly panel_tab: PanelTab;
   readonly panel_open: boolean;
@@ -48,9 +52,11 @@ export const INITIAL_STATE: ViewerState = {
   scene: undefined,
   volume: undefined,
   viewport: undefined,
+  sent_input: 0,
   shown: undefined,
   shown_scene: undefined,
   frames_per_second: 0,
+  address_current: false,
   toasts: [],
   panel_tab: 'styles',
   panel_open: true,

@@ -1,0 +1,115 @@
+// Nothing overlaps, and nothing keeps anyone out: every state of the page at both sizes.
+import assert from 'node:assert/strict';
+import { after, before, describe, it } from 'node:test';
+import { axeSource, DESKTOP, openBrowser, PHONE, skip } from './support/browser.mjs';
+import { Server } from './support/server.mjs';
+import { Viewer } from './support/viewer.mjs';
+
+const FIXED_PARTS = [
+  'cutaway-top-bar .brand',
+  'cutaway-top-bar .volume',
+  'cutaway-top-bar .link .dot',
+  'cutaway-top-bar button',
+  'cutaway-panel [role=tab]',
+  'cutaway-panel [role=tabpanel]',
+  'cutaway-orientation-marks span',
+  'cutaway-orientation-cube',
+  'cutaway-picture-notices span',
+];
+
+/** Boxes of all visible parts, with their names. */
+async function visibleBoxes(page) {
+  const boxes = [];
+  for (const part of FIXED_PARTS) {
+    for (const element of await page.locator(part).all()) {
+      const box = (await element.isVisible()) && (await element.boundingBox());
+      if (box)
+        boxes.push({
+          part: `${part} ${(await element.textContent()).trim()}`,
+          ...box,
+        });
+    }
+  }
+  return boxes;
+}
+
+const overlap = (a, b) =>
+  a.x + a.width > b.x + 0.5 &&
+  b.x + b.width > a.x + 0.5 &&
+  a.y + a.height > b.y + 0.5 &&
+  b.y + b.height > a.y + 0.5;
+
+async function assertLayout({ page }) {
+  const boxes = await visibleBoxes(page);
+  const { width, height } = page.viewportSize();
+  const scrollable = await page.evaluate(() => {
+    const { scrollWidth, scrollHeight } = document.documentElement;
+    return [scrollWidth, scrollHeight];
+  });
+  assert.deepEqual(scrollable, [width, height], 'the page is larger than the screen');
+  for (const [index, box] of boxes.entries()) {
+    assert.ok(
+      box.x >= 0 &&
+        box.y >= 0 &&
+        box.x + box.width <= width + 0.5 &&
+        box.y + box.height <= height + 0.5,
+      `${box.part} leaves the page`,
+    );
+    for (const other of boxes.slice(index + 1))
+      assert.ok(!overlap(box, other), `${box.part} overlaps ${other.part}`);
+  }
+  assert.ok(boxes.length >= 15, `only ${boxes.length} parts were found`);
+}
+
+async function assertAccessible({ page }, state) {
+  await page.evaluate(axeSource);
+  const { violations } = await page.evaluate(() =>
+    globalThis.axe.run(document, { resultTypes: ['violations'] }),
+  );
+  const found = violations.map(
+    ({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join('; ')}`,
+  );
+  assert.deepEqual(found, [], state);
+}
+
+describe('layout and accessibility', { skip }, () => {
+  let server, browser;
+
+  before(async () => {
+    server = await Server.start();
+    browser = await openBrowser();
+  });
+  after(async () => {
+    await browser?.close();
+    await server?.kill();
+  });
+
+  for (const [name, options] of Object.entries({
+    desktop: DESKTOP,
+    phone: PHONE,
+  })) {
+    it(`${name}: every tab, the help, and a message`, async () => {
+      const viewer = await Viewer.open(browser, server.url, options);
+      await viewer.settled();
+      await assertLayout(viewer);
+      await assertAccessible(viewer, 'first');
+      for (const tab of ['Volumes', 'Styles', 'Adjust', 'View']) {
+        await viewer.openTab(tab);
+        await viewer.settled();
+        await assertLayout(viewer);
+        await assertAccessible(viewer, tab);
+        await viewer.screenshot(`${name}-tab-${tab.toLowerCase()}`);
+      }
+      await viewer.page.getByRole('button', { name: 'Help and keys' }).click();
+      await viewer.page.getByRole('dialog', { name: 'Help' }).waitFor();
+      await assertAccessible(viewer, 'help');
+      await viewer.screenshot(`${name}-help`);
+      await viewer.page.keyboard.press('Escape');
+      await viewer.page.getByRole('button', { name: 'Copy a link to this view' }).click();
+      await viewer.page.locator('[data-part=toast]').waitFor();
+      await assertAccessible(viewer, 'message');
+      await viewer.screenshot(`${name}-message`);
+      await viewer.close();
+    });
+  }
+});

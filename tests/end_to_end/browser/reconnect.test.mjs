@@ -1,0 +1,47 @@
+// A server that goes away and comes back.
+import assert from 'node:assert/strict';
+import { after, before, describe, it } from 'node:test';
+import { DESKTOP, openBrowser, skip } from './support/browser.mjs';
+import { Server } from './support/server.mjs';
+import { meanDifference, Viewer } from './support/viewer.mjs';
+
+describe('a lost connection', { skip }, () => {
+  let server, browser;
+
+  before(async () => {
+    server = await Server.start();
+    browser = await openBrowser();
+  });
+  after(async () => {
+    await browser?.close();
+    await server?.kill();
+  });
+
+  it('dims the last picture, and is followed by the same view', async () => {
+    const viewer = await Viewer.open(browser, server.url, DESKTOP);
+    await viewer.settled();
+    const [x, y] = await viewer.stageMiddle();
+    await viewer.after(() => viewer.drag([x - 80, y + 200], [x + 80, y + 150]));
+    const letters = await viewer.edgeLetters();
+    const picture = await viewer.pixels();
+
+    await viewer.page.mouse.move(x, y + 200);
+    await viewer.page.mouse.down();
+    await server.kill();
+    await viewer.app('[data-connection=waiting]').waitFor();
+    await viewer.page.mouse.up();
+    await viewer.page.getByText(/^Reconnecting:/).waitFor();
+    assert.ok((await viewer.coverage()) > 0.02, 'the last picture is gone');
+    await viewer.screenshot('desktop-disconnected');
+
+    await server.startAgain();
+    await viewer.app('[data-connection=connected]').waitFor();
+    await viewer.settled();
+    assert.equal(await viewer.edgeLetters(), letters);
+    assert.ok(meanDifference(picture, await viewer.pixels()) < 0.5);
+    await viewer.after(() => viewer.drag([x, y + 200], [x + 50, y + 200]));
+
+    viewer.complaints = viewer.complaints.filter((text) => !text.includes('WebSocket connection'));
+    await viewer.close();
+  });
+});

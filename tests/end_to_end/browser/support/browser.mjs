@@ -1,0 +1,33 @@
+// Debian's Chromium, through the client's own copy of playwright-core.
+import { existsSync } from 'node:fs';
+import { createRequire } from 'node:module';
+
+const clientRequire = createRequire(
+  new URL('../../../../web-client/package.json', import.meta.url),
+);
+const { chromium } = clientRequire('playwright-core');
+export const axeSource = clientRequire('axe-core').source;
+
+const executablePath = process.env.CUTAWAY_CHROMIUM ?? '/usr/bin/chromium';
+
+/** Why no test can run here; false where they can. */
+export const skip = existsSync(executablePath) ? false : `no Chromium at ${executablePath}`;
+
+const OPTIONS = [
+  '--no-sandbox',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-default-apps',
+  '--disable-sync',
+  '--no-first-run',
+];
+
+export const openBrowser = () => chromium.launch({ executablePath, args: OPTIONS });
+
+export const DESKTOP = { viewport: { width: 1440, height: 900 } };
+export const PHONE = {
+  viewport: { width: 390, height: 844 },
+  deviceScaleFactor: 2,
+  hasTouch: true,
+  isMobile: true,
+};

@@ -1,0 +1,67 @@
+// The server under test: the executable that CUTAWAY_BINARY names, or, where it is unset, the
+// client's own stand-in.
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { createInterface } from 'node:readline';
+import { fileURLToPath } from 'node:url';
+
+const repository = fileURLToPath(new URL('../../../../', import.meta.url));
+const binary = process.env.CUTAWAY_BINARY;
+
+export const isStandIn = !binary;
+
+function commandFor(port) {
+  const web = process.env.CUTAWAY_WEB_CLIENT ?? `${repository}web-client/dist`;
+  if (isStandIn)
+    return [
+      process.execPath,
+      [`${repository}web-client/dev/mock-server.mjs`, '--port', String(port), '--web', web],
+    ];
+  return [binary, ['serve', '--listen', `127.0.0.1:${port}`, '--web', web]];
+}
+
+export class Server {
+  #process;
+  url;
+
+  /** Port 0 picks a free one. */
+  static async start(port = 0) {
+    const server = new Server();
+    await server.#start(port);
+    return server;
+  }
+
+  async #start(port) {
+    const [command, options] = commandFor(port);
+    this.#process = spawn(command, options, {
+      stdio: ['ignore', 'pipe', 'pipe'],
+    });
+    this.#process.stderr.resume();
+    const gone = once(this.#process, 'exit').then(([status]) => {
+      throw new Error(`the server ended with status ${status} before it said its address`);
+    });
+    gone.catch(() => undefined);
+    this.url = await Promise.race([this.#announcedAddress(), gone]);
+  }
+
+  async #announcedAddress() {
+    for await (const line of createInterface({ input: this.#process.stdout })) {
+      const [address] = /https?:\/\/[\d.]+:\d+\/?/.exec(line) ?? [];
+      if (!address) continue;
+      this.#process.stdout.resume();
+      return address.replace(/\/?$/, '/');
+    }
+    throw new Error('the server said no address');
+  }
+
+  /** At once, as in a crash. */
+  async kill() {
+    const exit = once(this.#process, 'exit');
+    this.#process.kill('SIGKILL');
+    await exit;
+  }
+
+  async startAgain() {
+    await this.#start(Number(new URL(this.url).port));
+  }
+}
