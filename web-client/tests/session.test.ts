@@ -251,6 +251,21 @@ describe('a lost connection', () => {
 });
 
 describe('opening a volume', () => {
+  it('takes nothing from the old volume along, not even what was on its way', () => {
+    harness.say(sceneMessage);
+    harness.session.commands.orbit(100, 0);
+    harness.session.commands.openVolume('knee');
+    const opened = {
+      ...sceneMessage,
+      revision: 9,
+      scene: { ...sceneMessage.scene, volume: 'knee' },
+    };
+    harness.say(opened);
+    expect(harness.state.scene).toEqual(opened.scene);
+    harness.emit({ kind: 'shown', frame: frame(1000, 9) });
+    expect(harness.state.scene).toEqual(opened.scene);
+  });
+
   it('shows progress and keeps the old scene until the new one is there', () => {
     harness.say(sceneMessage);
     harness.session.commands.openVolume('knee');

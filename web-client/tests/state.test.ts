@@ -149,11 +149,23 @@ describe('the page’s scene and the server’s', () => {
     expect(sync.scene).toEqual(base);
   });
 
+  it('forgets a change on its way once the server shall choose that value', () => {
+    const sync = new SceneSync();
+    sync.told(base);
+    sync.sent(5, { lens: { radius_mm: 20 }, focus: { detail: 0.5 } });
+    sync.sent(6, { lens: { radius_mm: null } });
+    const chosen = { lens: { radius_mm: 12, centre_mm: [0, 0, 0] }, focus: { detail: 0.5 } };
+    sync.told(chosen);
+    expect(sync.scene).toEqual(chosen);
+    sync.shown(6);
+    expect(sync.scene).toEqual(chosen);
+  });
+
   it('leaves the lens to the server once it is dragged', () => {
     const sync = new SceneSync();
     sync.told(base);
     sync.sent(5, { lens: { radius_mm: 20, centre_mm: [9, 9, 9] } });
-    sync.lensDragged();
+    sync.leaveOpen({ lens: { centre_mm: null } });
     sync.told({ ...base, lens: { radius_mm: 10, centre_mm: [1, 2, 3] } });
     expect(sync.scene).toMatchObject({ lens: { radius_mm: 20, centre_mm: [1, 2, 3] } });
   });

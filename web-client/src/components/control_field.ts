@@ -22,6 +22,10 @@ function digitsOf(step: number): number {
   return Math.max(0, Math.min(6, Math.ceil(-Math.log10(step) - 1e-9)));
 }
 
+/** A slider's value is a number, a field's its text. */
+const inputValue = (event: Event): number | string =>
+  (event.target as unknown as { value: number | string }).value;
+
 @customElement('cutaway-control')
 export class ControlField extends LitElement {
   @property({ attribute: false }) control!: Control;
@@ -159,6 +163,10 @@ export class ControlField extends LitElement {
     this.requestUpdate();
   }
 
+  private valueText(value: number, { step, unit }: NumberControl): string {
+    return `${value.toFixed(digitsOf(step))} ${unit}`.trim();
+  }
+
   private numberField(control: NumberControl) {
     const shown = control.value.toFixed(digitsOf(control.step));
     return html`
@@ -173,7 +181,7 @@ export class ControlField extends LitElement {
             max=${control.maximum}
             step="any"
             .value=${live(shown)}
-            @change=${(event: Event) => this.setNumber((event.target as HTMLInputElement).value, control)}
+            @change=${(event: Event) => this.setNumber(inputValue(event), control)}
           /><span class="unit">${control.unit}</span>
         </span>
       </div>
@@ -183,8 +191,8 @@ export class ControlField extends LitElement {
         max=${control.maximum}
         step=${control.step}
         .value=${live(control.value)}
-        .valueFormatter=${(value: number) => `${value.toFixed(digitsOf(control.step))} ${control.unit}`.trim()}
-        @input=${(event: Event) => this.setNumber((event.target as HTMLInputElement & { value: number }).value, control)}
+        .valueFormatter=${(value: number) => this.valueText(value, control)}
+        @input=${(event: Event) => this.setNumber(inputValue(event), control)}
       ></wa-slider>
     `;
   }

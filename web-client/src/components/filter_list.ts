@@ -1,5 +1,5 @@
 // A branch's filters: add, remove, reorder, and set their parameters.
-import { css, html, LitElement, nothing } from 'lit';
+import { css, html, LitElement } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { FilterListModel, FilterModel } from '../state/filter_model.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
@@ -33,6 +33,9 @@ export class FilterList extends LitElement {
         flex: 1;
         font-weight: 600;
       }
+      .additions[hidden] {
+        display: none;
+      }
       .additions {
         display: flex;
         flex-wrap: wrap;
@@ -55,7 +58,9 @@ export class FilterList extends LitElement {
     const { filters, additions } = this.model;
     return html`
       ${filters.map((filter) => this.filter(filter))}
-      ${additions.length === 0 ? nothing : html`<div class="additions">${additions.map((addition) => this.addition(addition))}</div>`}
+      <div class="additions" ?hidden=${additions.length === 0}>
+        ${additions.map((addition) => this.addition(addition))}
+      </div>
     `;
   }
 

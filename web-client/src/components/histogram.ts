@@ -35,7 +35,8 @@ export class HistogramView extends LitElement {
     const bins = Math.max(1, heights.length);
     const mark = this.mark * bins;
     return html`<svg viewBox="0 0 ${bins} ${HEIGHT}" preserveAspectRatio="none" aria-hidden="true">
-      ${svg`<path d="M0 ${HEIGHT}${steps}V${HEIGHT}Z" /><line x1=${mark} x2=${mark} y1="0" y2=${HEIGHT} />`}
+      ${svg`<path d="M0 ${HEIGHT}${steps}V${HEIGHT}Z" />
+        <line x1=${mark} x2=${mark} y1="0" y2=${HEIGHT} />`}
     </svg>`;
   }
 }

@@ -151,7 +151,7 @@ export class LensOverlay extends SessionElement {
       class="move ${this.drag_px ? 'dragging' : ''}"
       style=${styleMap(this.place(this.drag_px ?? lens.centre_px, lens.viewport))}
       aria-label="Lens"
-      aria-description="Drag to move the lens over the surface. Arrow keys move it, plus and minus resize it."
+      aria-description="Arrow keys move the lens over the surface, plus and minus resize it."
       data-part="lens-grip"
       @pointerdown=${this.grab}
       @pointermove=${(event: PointerEvent) => this.dragTo(event)}

@@ -35,9 +35,10 @@ export class PictureNotices extends SessionElement {
 
   override render() {
     const { capabilities, shown } = this.state;
+    const lossy = shown !== undefined && !shown.lossless;
     return html`
       <span class="notice" data-part="notice">${capabilities?.notice ?? FALLBACK_NOTICE}</span>
-      ${shown && !shown.lossless ? html`<span data-part="lossy" title="The picture is JPEG-compressed">lossy</span>` : nothing}
+      ${lossy ? html`<span data-part="lossy" title="JPEG-compressed">lossy</span>` : nothing}
     `;
   }
 }

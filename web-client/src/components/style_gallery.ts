@@ -1,6 +1,6 @@
 // The named styles. Each card's swatch is drawn from the style's own colours: context outside,
 // focus through the lens.
-import { css, html, nothing, svg } from 'lit';
+import { css, html, svg } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import type { Scene, Style } from '../protocol/messages.ts';
 import { toHex } from '../state/colour.ts';
@@ -85,32 +85,35 @@ export class StyleGallery extends SessionElement {
     if (!capabilities) return html`<p class="quiet">Waiting for the server…</p>`;
     const worn = matchingStyle(scene, capabilities.styles);
     return html`<ul>
-      ${capabilities.styles.map((style, index) => html`<li>${this.card(style, index, style === worn)}</li>`)}
+      ${capabilities.styles.map((style, index) => this.card(style, index, style === worn))}
     </ul>`;
   }
 
   private card(style: Style, index: number, worn: boolean) {
-    return html`<button
-      aria-pressed=${worn ? 'true' : 'false'}
-      data-style=${style.name}
-      @click=${() => this.session.commands.applyStyle(style)}
-    >
-      ${this.swatch(style, index)}
-      <span>
-        <span class="title">${style.title}</span>
-        <span class="quiet small">${style.description}</span>
-      </span>
-    </button>`;
+    return html`<li>
+      <button
+        aria-pressed=${worn ? 'true' : 'false'}
+        data-style=${style.name}
+        @click=${() => this.session.commands.applyStyle(style)}
+      >
+        ${this.swatch(style, index)}
+        <span>
+          <span class="title">${style.title}</span>
+          <span class="quiet small">${style.description}</span>
+        </span>
+      </button>
+    </li>`;
   }
 
   private swatch({ scene }: Style, index: number) {
+    const lens_radius = scene.lens?.mode === 'none' ? 0 : 14;
     const background = toHex(scene.background?.colour ?? [0, 0, 0]);
     return html`<svg viewBox="0 0 64 64" aria-hidden="true">
       ${this.ramp(`context-${index}`, tonesOf(scene.context))}
       ${this.ramp(`focus-${index}`, tonesOf(scene.focus))}
       ${svg`<rect width="64" height="64" fill=${background} />
         <circle cx="32" cy="32" r="26" fill="url(#context-${index})" />
-        ${scene.lens?.mode === 'none' ? nothing : svg`<circle cx="37" cy="34" r="14" fill="url(#focus-${index})" />`}`}
+        <circle cx="37" cy="34" r=${lens_radius} fill="url(#focus-${index})" />`}
     </svg>`;
   }
 

@@ -113,6 +113,7 @@ export class TopBar extends SessionElement {
   override render() {
     const { link, volume, panel_open, shown } = this.state;
     const { commands } = this.session;
+    const toggle = panel_open ? 'Hide the panel' : 'Show the panel';
     return html`
       <h1 class="brand"><img src="./favicon.svg" alt="" /><span>Cutaway</span></h1>
       <div class="volume" data-part="volume-title">
@@ -130,7 +131,7 @@ export class TopBar extends SessionElement {
         ${this.button('link', 'Copy a link to this view', () => void this.copyLink(), !volume)}
         ${this.button('save', 'Save the picture as PNG', () => commands.saveStill(), !shown, 'save')}
         ${this.button('help', 'Help and keys', () => commands.toggleHelp(true))}
-        ${this.button('panel', panel_open ? 'Hide the panel' : 'Show the panel', () => commands.togglePanel(), false, 'panel-toggle')}
+        ${this.button('panel', toggle, () => commands.togglePanel(), false, 'panel-toggle')}
       </nav>
     `;
   }

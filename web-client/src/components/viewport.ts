@@ -15,6 +15,10 @@ import './orientation_marks.ts';
 import './picture_notices.ts';
 import { SessionElement } from './session_element.ts';
 
+const KEYS_IN_SHORT =
+  'Arrow keys rotate, plus and minus zoom, Shift and arrows move the lens. ' +
+  'Question mark lists all keys.';
+
 @customElement('cutaway-viewport')
 export class CutawayViewport extends SessionElement {
   protected override readonly draws = [
@@ -138,7 +142,7 @@ export class CutawayViewport extends SessionElement {
         tabindex="0"
         role="application"
         aria-label="3-D picture"
-        aria-description="Arrow keys rotate, plus and minus zoom, Shift and arrows move the lens. Question mark lists all keys."
+        aria-description=${KEYS_IN_SHORT}
         data-part="stage"
       >
         ${this.canvas}
@@ -155,10 +159,10 @@ export class CutawayViewport extends SessionElement {
   private emptyNote() {
     const { shown, loading, link, capabilities, volumes } = this.state;
     if (shown || loading || link.phase === 'waiting') return nothing;
-    const nothing_there = capabilities !== undefined && volumes.length === 0;
-    return html`<div class="empty">
-      ${nothing_there ? 'The server has no volumes to show.' : link.phase === 'connecting' ? 'Connecting…' : 'Preparing the picture…'}
-    </div>`;
+    const empty = capabilities !== undefined && volumes.length === 0;
+    const waiting = link.phase === 'connecting' ? 'Connecting…' : 'Preparing the picture…';
+    const text = empty ? 'The server has no volumes to show.' : waiting;
+    return html`<div class="empty">${text}</div>`;
   }
 
   private offlineBanner() {

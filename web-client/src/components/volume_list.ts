@@ -96,7 +96,7 @@ export class VolumeList extends SessionElement {
 
   private entry(entry: VolumeEntry) {
     const { volume, loading } = this.state;
-    const opening = loading?.volume === entry.id ? loading : undefined;
+    const percent = loading?.volume === entry.id ? overallFraction(loading) * 100 : 0;
     return html`<button
       class="entry"
       data-volume=${entry.id}
@@ -109,7 +109,7 @@ export class VolumeList extends SessionElement {
         (text) =>
           html`<span class="warning"><wa-icon name="warning"></wa-icon><span>${text}</span></span>`,
       )}
-      ${opening ? html`<span class="progress" style="width: ${overallFraction(opening) * 100}%"></span>` : nothing}
+      <span class="progress" style="width: ${percent}%"></span>
     </button>`;
   }
 

@@ -13,6 +13,14 @@ import { Outbox, type OutboxSender } from './outbox.ts';
 
 const clockMs = (): number => performance.timeOrigin + performance.now();
 
+/** What the server chooses anew when another volume is opened. */
+const CHOSEN_FOR_A_VOLUME: JsonObject = {
+  camera: null,
+  lens: { centre_mm: null, radius_mm: null },
+  focus: { surface: null },
+  context: { surface: null },
+};
+
 export class SceneLink implements OutboxSender {
   private readonly inputs = new Counter();
   private readonly sync = new SceneSync();
@@ -53,11 +61,12 @@ export class SceneLink implements OutboxSender {
    */
   openVolume(id: string): void {
     this.outbox.flush();
+    this.sync.leaveOpen(CHOSEN_FOR_A_VOLUME);
     this.sendScene({ volume: id }, false);
   }
 
   sendLensDrag(position_px: Point): void {
-    this.sync.lensDragged();
+    this.sync.leaveOpen({ lens: { centre_mm: null } });
     this.stream.send({ type: 'drag_lens', ...this.stamp(), position_px: [...position_px] });
   }
 

@@ -19,11 +19,14 @@ function withoutNulls(patch: JsonObject): JsonObject {
   return Object.fromEntries(kept.map(clean));
 }
 
-function withoutLensCentre(patch: JsonObject): JsonObject {
-  const lens = patch['lens'];
-  if (!isObject(lens)) return patch;
-  const kept = Object.entries(lens).filter(([key]) => key !== 'centre_mm');
-  return { ...patch, lens: Object.fromEntries(kept) };
+/** `patch` without the places that are null in `left_open`. */
+function withoutPlaces(patch: JsonObject, left_open: JsonObject): JsonObject {
+  const kept = Object.entries(patch).filter(([key]) => left_open[key] !== null);
+  const clean = ([key, value]: [string, Json]): [string, Json] => {
+    const inner = left_open[key];
+    return [key, isObject(value) && isObject(inner) ? withoutPlaces(value, inner) : value];
+  };
+  return Object.fromEntries(kept.map(clean));
 }
 
 export class SceneSync {
@@ -46,14 +49,19 @@ export class SceneSync {
   /** `patch` went out under this number; it holds all that was staged. */
   sent(input: number, patch: JsonObject): void {
     this.staged = [];
+    this.leaveOpen(patch);
     this.pending = [...this.pending, { input, patch: withoutNulls(patch) }];
   }
 
-  /** From here on the server says where the lens is. */
-  lensDragged(): void {
+  /**
+   * From here on the server says what is null in `left_open`: changes of it that are still on their
+   * way are over, or they would come back on top of its answer.
+   */
+  leaveOpen(left_open: JsonObject): void {
+    this.staged = this.staged.map((patch) => withoutPlaces(patch, left_open));
     this.pending = this.pending.map(({ input, patch }) => ({
       input,
-      patch: withoutLensCentre(patch),
+      patch: withoutPlaces(patch, left_open),
     }));
   }
 

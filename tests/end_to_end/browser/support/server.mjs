@@ -10,14 +10,11 @@ const binary = process.env.CUTAWAY_BINARY;
 
 export const isStandIn = !binary;
 
+/** The executable finds the built client beside itself, in its own repository. */
 function commandFor(port) {
-  const web = process.env.CUTAWAY_WEB_CLIENT ?? `${repository}web-client/dist`;
-  if (isStandIn)
-    return [
-      process.execPath,
-      [`${repository}web-client/dev/mock-server.mjs`, '--port', String(port), '--web', web],
-    ];
-  return [binary, ['serve', '--listen', `127.0.0.1:${port}`, '--web', web]];
+  if (!isStandIn) return [binary, ['serve', '--listen', `127.0.0.1:${port}`]];
+  const stand_in = `${repository}web-client/dev/mock-server.mjs`;
+  return [process.execPath, [stand_in, '--port', String(port)]];
 }
 
 export class Server {
