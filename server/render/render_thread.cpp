@@ -46,6 +46,7 @@ void RenderThread::serve(RenderWorker& worker, const std::stop_token& stop) {
         worker.has_pending() ? queue_.take() : queue_.wait_and_take(stop);
     const bool idle = !job;
     if (job) worker.begin(std::move(*job));
+    if (worker.is_lost()) lost_ = true;
     // With nothing else to draw there is time to wait for the pixels.
     worker.finish(idle);
   }

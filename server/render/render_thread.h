@@ -2,6 +2,7 @@
 // stalling.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -61,6 +62,9 @@ class RenderThread {
 
   const RendererInfo& info() const { return info_; }
 
+  /// True once the graphics device was lost: every job ends as an error from then on.
+  bool is_lost() const { return lost_; }
+
   /// A job that waits for the same view is replaced by the newer one; one that was begun is
   /// finished.
   void submit(RenderJob job);
@@ -80,6 +84,7 @@ class RenderThread {
   JobQueue<RenderJob> queue_;
   std::mutex released_mutex_;
   std::vector<std::uint64_t> released_;
+  std::atomic<bool> lost_ = false;
   std::jthread thread_;
 };
 

@@ -21,6 +21,8 @@ class RenderWorker {
   /// Hands over every frame whose pixels have arrived; waits for the oldest where `wait` says so.
   void finish(bool wait);
 
+  bool is_lost() const { return lost_; }
+
   void release(std::uint64_t view) { views_.erase(view); }
 
  private:
@@ -37,6 +39,7 @@ class RenderWorker {
   static void deliver(Pending& pending);
 
   const gl::Context& context_;
+  bool lost_ = false;
   FramePipeline pipeline_;
   std::map<std::uint64_t, ViewState> views_;
   std::map<std::shared_ptr<const LoadedVolume>, GpuVolume> volumes_;

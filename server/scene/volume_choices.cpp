@@ -11,7 +11,7 @@ namespace cutaway {
 namespace {
 
 constexpr double kFramingMargin = 1.05;
-constexpr double kLensShareOfDiagonal = 0.2;
+constexpr double kLensShareOfDiagonal = 0.15;
 constexpr glm::dvec3 kSuperior{0.0, 0.0, 1.0};
 constexpr glm::dvec3 kAnterior{0.0, -1.0, 0.0};
 

@@ -23,7 +23,7 @@ double chosen_view_height_mm(const VolumeFacts& volume, Viewport viewport);
 glm::dvec3 chosen_lens_centre_mm(const VolumeFacts& volume, const Camera& camera, Viewport viewport,
                                  double iso_value);
 
-/// A fifth of the volume's diagonal.
+/// 0.15 of the diagonal of the volume's material.
 double chosen_lens_radius_mm(const VolumeFacts& volume);
 
 }  // namespace cutaway

@@ -11,9 +11,9 @@ namespace cutaway {
 /// Patient space, mm; physical values.
 struct VolumeFacts {
   std::string id;
-  glm::dvec3 bounds_minimum_mm{0.0};
+  glm::dvec3 bounds_minimum_mm{0.0};  ///< of the material, without the air around it
   glm::dvec3 bounds_maximum_mm{0.0};
-  double diagonal_mm = 0.0;
+  double diagonal_mm = 0.0;  ///< of those bounds
   double minimum_value = 0.0;
   double maximum_value = 0.0;
   double outer_iso_value = 0.0;  ///< context by default: skin

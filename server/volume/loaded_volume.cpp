@@ -24,6 +24,8 @@ std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume,
   loaded->histogram = build_histogram(loaded->volume, kHistogramBins);
   throw_if_cancelled(stop);
   loaded->surfaces = suggest_surfaces(loaded->volume.description, loaded->histogram);
+  loaded->material_bounds_mm = bounds_reaching_mm(loaded->min_max, loaded->volume.geometry,
+                                                  loaded->surfaces.outer_iso_value);
   if (progress) progress(LoadStage::min_max, 1.0);
   return loaded;
 }

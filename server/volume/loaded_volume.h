@@ -14,6 +14,7 @@ struct LoadedVolume {
   MinMaxGrid min_max;
   Histogram histogram;
   SuggestedSurfaces surfaces;
+  BoundingBox material_bounds_mm;  ///< patient space: what reaches the outer iso-value, to a brick
 };
 
 std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume,

@@ -32,11 +32,11 @@ std::shared_ptr<const LoadedVolume> load(Volume volume) {
 
 VolumeFacts facts_of(const std::shared_ptr<const LoadedVolume>& loaded) {
   const Volume& volume = loaded->volume;
-  const BoundingBox bounds = bounds_patient_mm(volume.geometry);
+  const BoundingBox& bounds = loaded->material_bounds_mm;
   return {.id = volume.description.id,
           .bounds_minimum_mm = bounds.minimum_mm,
           .bounds_maximum_mm = bounds.maximum_mm,
-          .diagonal_mm = diagonal_mm(volume.geometry),
+          .diagonal_mm = glm::length(bounds.maximum_mm - bounds.minimum_mm),
           .minimum_value = volume.value_range.minimum,
           .maximum_value = volume.value_range.maximum,
           .outer_iso_value = loaded->surfaces.outer_iso_value,

@@ -45,7 +45,7 @@ TEST(Resolve, PutsTheLensOnTheSurfaceInTheMiddleOfTheView) {
   const Scene front = resolved("{}");
   const glm::dvec3 nearest = kBallCentre_mm - glm::dvec3(0.0, kBallRadius_mm, 0.0);
   EXPECT_LT(glm::distance(front.lens.centre_mm, nearest), 1e-9);
-  EXPECT_DOUBLE_EQ(front.lens.radius_mm, 0.2 * ball_facts().diagonal_mm);
+  EXPECT_DOUBLE_EQ(front.lens.radius_mm, 0.15 * ball_facts().diagonal_mm);
 
   const Scene above = resolved(R"({"camera": {"eye_mm": [10, -20, 900]}})");
   EXPECT_LT(glm::distance(above.lens.centre_mm, kBallCentre_mm + glm::dvec3(0, 0, kBallRadius_mm)),

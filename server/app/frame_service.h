@@ -1,0 +1,39 @@
+// Where sessions' frames come from: the render thread, then a pool that compresses.
+#pragma once
+
+#include <boost/asio/thread_pool.hpp>
+#include <functional>
+#include <memory>
+
+#include "render/render_thread.h"
+#include "session/ends.h"
+
+namespace cutaway {
+
+/// Thread-safe. Destroying it ends every request that is under way.
+class FrameService : public FrameSource {
+ public:
+  /// Finds the volume of a scene in memory; nothing where it is not there any more.
+  using FindVolume = std::function<std::shared_ptr<const LoadedVolume>(const std::string& id)>;
+
+  /// Throws Error "renderer-unavailable".
+  FrameService(const gl::ContextOptions& options, int encode_threads, FindVolume find_volume);
+  ~FrameService() override;
+
+  void submit(FrameRequest request, std::function<void(FrameOutcome)> done) override;
+  bool renew(const FrameRequest& request) override;
+  void release(std::uint64_t view) override;
+  RendererDescription describe() const override;
+  std::string trouble() const override;
+
+ private:
+  using Done = std::function<void(FrameOutcome)>;
+  RenderRequest render_request(const FrameRequest& request) const;
+  void encode(RenderedFrame frame, const Done& done);
+
+  FindVolume find_volume_;
+  boost::asio::thread_pool encoders_;
+  std::unique_ptr<RenderThread> renderer_;
+};
+
+}  // namespace cutaway

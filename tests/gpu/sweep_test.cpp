@@ -1,0 +1,78 @@
+// From the registries: every filter and shading model on either branch, so that none can be
+// registered untested.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "render/filters/filter_registry.h"
+#include "render/lenses/lens_registry.h"
+#include "render/shading/shading_registry.h"
+#include "scene/modules.h"
+#include "support/analytic_volumes.h"
+#include "support/gpu_harness.h"
+#include "volume/phantoms.h"
+
+namespace cutaway::test {
+namespace {
+
+template <typename Registry>
+std::set<std::string> names_of(const Registry& registry) {
+  std::set<std::string> names;
+  for (const auto& entry : registry) names.insert(entry.name);
+  return names;
+}
+
+std::set<std::string> described(const char* kind) {
+  std::set<std::string> names;
+  for (const Json& module : describe_modules().at(kind))
+    names.insert(module.at("name").get<std::string>());
+  return names;
+}
+
+TEST(Registries, HoldWhatTheSchemaDescribes) {
+  EXPECT_EQ(names_of(image_filters()), described("filter"));
+  EXPECT_EQ(names_of(shading_models()), described("shading"));
+  EXPECT_EQ(names_of(lens_shapes()), described("lens_shape"));
+}
+
+const std::shared_ptr<const LoadedVolume>& head() {
+  static const auto volume = load(make_phantom({PhantomKind::head, 64}, {}, {}));
+  return volume;
+}
+
+constexpr Tolerance kTolerance{.mean = 0.25, .share_above_2 = 0.005};
+
+TEST(Sweep, EveryFilterOnEitherBranch) {
+  for (const std::string& name : names_of(image_filters())) {
+    for (const char* branch : {"focus", "context"}) {
+      const Scene scene =
+          scene_for({{branch, {{"filters", {{{"name", name}}}}}}}, head(), {120, 90});
+      expect_like_reference("filter-" + name + "-" + branch, scene, head(), settings_for(scene),
+                            kTolerance);
+    }
+  }
+}
+
+TEST(Sweep, EveryShadingOnEitherBranch) {
+  for (const std::string& name : names_of(shading_models())) {
+    for (const char* branch : {"focus", "context"}) {
+      const Scene scene = scene_for({{branch, {{"shading", {{"name", name}}}}}}, head(), {120, 90});
+      expect_like_reference("shading-" + name + "-" + branch, scene, head(), settings_for(scene),
+                            kTolerance);
+    }
+  }
+}
+
+TEST(Sweep, EveryLensShapeOnEveryPhantom) {
+  for (const std::string& name : names_of(lens_shapes())) {
+    for (const PhantomKind kind : {PhantomKind::head, PhantomKind::abdomen, PhantomKind::knees}) {
+      const auto volume = load(make_phantom({kind, 64}, {}, {}));
+      const Scene scene = scene_for({{"lens", {{"shape", {{"name", name}}}}}}, volume, {120, 90});
+      expect_like_reference("lens-" + name + "-" + std::to_string(static_cast<int>(kind)), scene,
+                            volume, settings_for(scene), kTolerance);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cutaway::test
