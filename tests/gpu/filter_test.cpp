@@ -27,7 +27,7 @@ std::vector<Texel> texels_of(const BranchImage& image, Function&& function) {
 
 BranchImage filtered_on_gpu(const BranchImage& input, const Module& filter) {
   GpuHarness::instance();
-  const FilterPass pass{gl::ShaderLibrary(embedded_shaders())};
+  FilterPass pass{gl::ShaderLibrary(embedded_shaders())};
   const gl::FullscreenTriangle triangle;
   const glm::ivec2 size = input.size_px;
   const gl::Texture2D colour(GL_RGBA16F, size, gl::Filtering::nearest);
@@ -120,7 +120,9 @@ TEST(Kuwahara, TheBackgroundNeitherBleedsInNorMoves) {
   const BranchImage output = filtered_on_gpu(input, kuwahara(4));
   for (int x = 0; x < 21; ++x) {
     EXPECT_EQ(output.at({x, 10}).coverage, x < 9 ? 0.0 : 1.0);
-    if (x >= 9) EXPECT_NEAR(output.at({x, 10}).colour.r, 0.5, 1e-4);
+    if (x >= 9) {
+      EXPECT_NEAR(output.at({x, 10}).colour.r, 0.5, 1e-4);
+    }
   }
 }
 

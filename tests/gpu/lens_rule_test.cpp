@@ -83,7 +83,9 @@ TEST_P(LensPlaces, LabelsAndDepthsAreTheClosedForms) {
       const auto at = static_cast<std::size_t>(y) * 150 + x;
       const Expected expected = closed_form(
           ray_through(scene.camera, scene.viewport, {x + 0.5, y + 0.5}), scene.lens, shells);
-      const int branch = focus[at].w >= 0.0F ? kFocus : context[at].w >= 0.0F ? int{kContext} : -1;
+      const int branch = focus[at].w >= 0.0F     ? int{kFocus}
+                         : context[at].w >= 0.0F ? int{kContext}
+                                                 : -1;
       if (focus[at].w >= 0.0F && context[at].w >= 0.0F) ++both_hold;
       if (branch != expected.branch) {
         ++labels_off;
