@@ -14,7 +14,7 @@ constexpr double kMinMaxShare = 0.8;  ///< of the stage's progress; the histogra
 
 std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume,
                                                          const ProgressSink& progress,
-                                                         std::stop_token stop) {
+                                                         const std::stop_token& stop) {
   const ProgressSink share = [&](LoadStage stage, double fraction) {
     if (progress) progress(stage, fraction * kMinMaxShare);
   };

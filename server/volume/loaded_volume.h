@@ -19,6 +19,6 @@ struct LoadedVolume {
 
 std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume,
                                                          const ProgressSink& progress,
-                                                         std::stop_token stop);
+                                                         const std::stop_token& stop);
 
 }  // namespace cutaway

@@ -92,7 +92,7 @@ MinMaxGrid empty_grid(glm::ivec3 size_voxels, int brick_size) {
 }  // namespace
 
 MinMaxGrid build_min_max_grid(const Volume& volume, int brick_size, const ProgressSink& progress,
-                              std::stop_token stop) {
+                              const std::stop_token& stop) {
   check(brick_size >= 1, "brick_size is " + std::to_string(brick_size));
   MinMaxGrid grid = empty_grid(volume.geometry.size_voxels, brick_size);
   const auto scan = [&](int brick_k) {

@@ -21,7 +21,7 @@ struct MinMaxGrid {
 };
 
 MinMaxGrid build_min_max_grid(const Volume& volume, int brick_size, const ProgressSink& progress,
-                              std::stop_token stop);
+                              const std::stop_token& stop);
 
 /// Axis-aligned patient-space bounds of the bricks that reach a value; of the whole grid where none does.
 BoundingBox bounds_reaching_mm(const MinMaxGrid& grid, const VolumeGeometry& geometry, double value);

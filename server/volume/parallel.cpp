@@ -62,6 +62,7 @@ void run_parallel(const ParallelLoop& loop, const std::stop_token& stop) {
   {
     std::vector<std::jthread> helpers;
     const int helper_count = std::min(loop.threads, loop.count) - 1;
+    helpers.reserve(std::max(helper_count, 0));
     for (int i = 0; i < helper_count; ++i) helpers.emplace_back([&run] { run.work(false); });
     run.work(true);
   }

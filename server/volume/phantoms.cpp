@@ -75,7 +75,7 @@ std::optional<PhantomRequest> parse_phantom_id(std::string_view id) {
 }
 
 std::string phantom_id(const PhantomRequest& request) {
-  const std::string id = std::string(kPrefix) + std::string(kind_of(request).name);
+  std::string id = std::string(kPrefix) + std::string(kind_of(request).name);
   if (request.size_voxels == kDefault) return id;
   return id + "@" + std::to_string(request.size_voxels);
 }
@@ -99,12 +99,12 @@ VolumeGeometry phantom_geometry(const PhantomRequest& request) {
 }
 
 Volume make_phantom(const PhantomRequest& request, const ProgressSink& progress,
-                    std::stop_token stop) {
+                    const std::stop_token& stop) {
   return make_phantom(request, progress, stop, default_thread_count());
 }
 
 Volume make_phantom(const PhantomRequest& request, const ProgressSink& progress,
-                    std::stop_token stop, int threads) {
+                    const std::stop_token& stop, int threads) {
   Volume volume;
   volume.description = describe_phantom(request);
   volume.geometry = phantom_geometry(request);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/check.h"
@@ -16,6 +17,32 @@ float smooth_min(float a, float b, float blend) {
   return std::min(a, b) - (blend > 0.0f ? overlap * overlap / (4.0f * blend) : 0.0f);
 }
 
+/// As a smooth minimum rises with each of its arguments, limits of the parts give limits of the
+/// whole.
+Bounds smooth_min(const Bounds& a, const Bounds& b, float blend) {
+  return {smooth_min(a.low_mm, b.low_mm, blend), smooth_min(a.high_mm, b.high_mm, blend)};
+}
+
+Bounds negative(const Bounds& bounds) { return {-bounds.high_mm, -bounds.low_mm}; }
+
+/// The parts of a smooth minimum that matter within `ball`. A part that stays `blend` above the
+/// minimum of those before it changes nothing; one that stays `blend` below makes those before it
+/// matter no more. `sign` -1 selects for a maximum.
+std::vector<ShapePtr> parts_that_matter(const std::vector<ShapePtr>& parts, const Ball& ball,
+                                        float blend, float sign) {
+  std::vector<ShapePtr> kept;
+  Bounds running{std::numeric_limits<float>::lowest(), 0.0f};
+  for (const ShapePtr& part : parts) {
+    const Bounds bounds = sign > 0.0f ? part->bounds(ball) : negative(part->bounds(ball));
+    if (!kept.empty() && bounds.low_mm >= running.high_mm + blend) continue;
+    if (running.low_mm >= bounds.high_mm + blend) kept.clear();
+    running = kept.empty() ? bounds : smooth_min(running, bounds, blend);
+    kept.push_back(part);
+  }
+  for (ShapePtr& part : kept) part = prune(part, ball);
+  return kept;
+}
+
 class Union final : public Shape {
  public:
   Union(float blend, std::vector<ShapePtr> parts) : blend_(blend), parts_(std::move(parts)) {
@@ -30,27 +57,51 @@ class Union final : public Shape {
     return distance;
   }
 
-  /// However many parts meet, smooth minima never sink more than `blend` below the smallest.
   Bounds bounds(const Ball& ball) const override {
-    constexpr float kFar = std::numeric_limits<float>::max();
-    Bounds all{kFar, kFar};
-    for (const ShapePtr& part : parts_) {
-      const Bounds one = part->bounds(ball);
-      all = {std::min(all.low_mm, one.low_mm), std::min(all.high_mm, one.high_mm)};
+    Bounds all = parts_[0]->bounds(ball);
+    for (std::size_t i = 1; i < parts_.size(); ++i) {
+      all = smooth_min(all, parts_[i]->bounds(ball), blend_);
     }
-    return {parts_.size() > 1 ? all.low_mm - blend_ : all.low_mm, all.high_mm};
+    return all;
   }
 
-  /// A part matters only where it comes within `blend` of the running minimum, which may itself lie
-  /// `blend` below the parts seen so far.
   ShapePtr pruned(const Ball& ball) const override {
-    const float nearest = bounds(ball).high_mm;
-    std::vector<ShapePtr> kept;
-    for (const ShapePtr& part : parts_) {
-      if (part->bounds(ball).low_mm <= nearest + 2.0f * blend_) kept.push_back(prune(part, ball));
+    std::vector<ShapePtr> kept = parts_that_matter(parts_, ball, blend_, 1.0f);
+    return kept.size() == 1 ? kept[0] : std::make_shared<Union>(blend_, std::move(kept));
+  }
+
+ private:
+  float blend_;
+  std::vector<ShapePtr> parts_;
+};
+
+/// By De Morgan the complement of a union of complements; its own class to save two calls per part
+/// and voxel.
+class Intersection final : public Shape {
+ public:
+  Intersection(float blend, std::vector<ShapePtr> parts) : blend_(blend), parts_(std::move(parts)) {
+    check(!parts_.empty(), "an intersection needs a part");
+  }
+
+  float distance_mm(glm::vec3 p) const override {
+    float negated = -parts_[0]->distance_mm(p);
+    for (std::size_t i = 1; i < parts_.size(); ++i) {
+      negated = smooth_min(negated, -parts_[i]->distance_mm(p), blend_);
     }
-    if (kept.size() == 1) return kept[0];
-    return std::make_shared<Union>(blend_, std::move(kept));
+    return -negated;
+  }
+
+  Bounds bounds(const Ball& ball) const override {
+    Bounds all = negative(parts_[0]->bounds(ball));
+    for (std::size_t i = 1; i < parts_.size(); ++i) {
+      all = smooth_min(all, negative(parts_[i]->bounds(ball)), blend_);
+    }
+    return negative(all);
+  }
+
+  ShapePtr pruned(const Ball& ball) const override {
+    std::vector<ShapePtr> kept = parts_that_matter(parts_, ball, blend_, -1.0f);
+    return kept.size() == 1 ? kept[0] : std::make_shared<Intersection>(blend_, std::move(kept));
   }
 
  private:
@@ -62,56 +113,13 @@ class Complement final : public Shape {
  public:
   explicit Complement(ShapePtr shape) : shape_(std::move(shape)) {}
   float distance_mm(glm::vec3 p) const override { return -shape_->distance_mm(p); }
-  Bounds bounds(const Ball& ball) const override {
-    const Bounds bounds = shape_->bounds(ball);
-    return {-bounds.high_mm, -bounds.low_mm};
-  }
+  Bounds bounds(const Ball& ball) const override { return negative(shape_->bounds(ball)); }
   ShapePtr pruned(const Ball& ball) const override {
     return std::make_shared<Complement>(prune(shape_, ball));
   }
 
  private:
   ShapePtr shape_;
-};
-
-/// By De Morgan; its own class because two extra calls per part and voxel would show.
-class Intersection final : public Shape {
- public:
-  Intersection(float blend, std::vector<ShapePtr> parts) : blend_(blend), parts_(std::move(parts)) {
-    check(!parts_.empty(), "an intersection needs a part");
-  }
-
-  float distance_mm(glm::vec3 p) const override {
-    float distance = parts_[0]->distance_mm(p);
-    for (std::size_t i = 1; i < parts_.size(); ++i) {
-      distance = -smooth_min(-distance, -parts_[i]->distance_mm(p), blend_);
-    }
-    return distance;
-  }
-
-  Bounds bounds(const Ball& ball) const override {
-    constexpr float kFar = std::numeric_limits<float>::lowest();
-    Bounds all{kFar, kFar};
-    for (const ShapePtr& part : parts_) {
-      const Bounds one = part->bounds(ball);
-      all = {std::max(all.low_mm, one.low_mm), std::max(all.high_mm, one.high_mm)};
-    }
-    return {all.low_mm, parts_.size() > 1 ? all.high_mm + blend_ : all.high_mm};
-  }
-
-  ShapePtr pruned(const Ball& ball) const override {
-    const float farthest = bounds(ball).low_mm;
-    std::vector<ShapePtr> kept;
-    for (const ShapePtr& part : parts_) {
-      if (part->bounds(ball).high_mm >= farthest - 2.0f * blend_) kept.push_back(prune(part, ball));
-    }
-    if (kept.size() == 1) return kept[0];
-    return std::make_shared<Intersection>(blend_, std::move(kept));
-  }
-
- private:
-  float blend_;
-  std::vector<ShapePtr> parts_;
 };
 
 class Grown final : public Shape {
@@ -193,15 +201,20 @@ class Rough final : public Shape {
   ShapePtr shape_;
 };
 
+/// Zero on winding surfaces about `spacing_mm` apart, at most about 1 between them.
+float winding_noise(glm::vec3 p, float spacing_mm, std::uint32_t seed) {
+  constexpr float kWarp = 0.55f;
+  const glm::vec3 q = p * (1.0f / spacing_mm);
+  const glm::vec3 warped = q + kWarp * gradient_noise3(q * 0.8f, seed);
+  return std::abs(gradient_noise(warped, seed + 7u));
+}
+
 class Grooved final : public Shape {
  public:
   Grooved(const Grooves& grooves, ShapePtr shape) : grooves_(grooves), shape_(std::move(shape)) {}
 
   float distance_mm(glm::vec3 p) const override {
-    constexpr float kWarp = 0.55f;
-    const glm::vec3 q = p * (1.0f / grooves_.spacing_mm);
-    const glm::vec3 warped = q + kWarp * gradient_noise3(q * 0.8f, grooves_.seed);
-    const float noise = std::abs(gradient_noise(warped, grooves_.seed + 7u));
+    const float noise = winding_noise(p, grooves_.spacing_mm, grooves_.seed);
     const float t = std::max(1.0f - noise / grooves_.width, 0.0f);
     return shape_->distance_mm(p) + grooves_.depth_mm * t * t * (3.0f - 2.0f * t);
   }
@@ -217,6 +230,24 @@ class Grooved final : public Shape {
  private:
   Grooves grooves_;
   ShapePtr shape_;
+};
+
+class Sheets final : public Shape {
+ public:
+  Sheets(float thickness_mm, float spacing_mm, std::uint32_t seed)
+      : half_mm_(0.5f * thickness_mm), spacing_mm_(spacing_mm), seed_(seed) {}
+
+  float distance_mm(glm::vec3 p) const override {
+    constexpr float kUnitsPerNoise =
+        0.7f;  // the noise rises from 0 by about 1 within 0.7 of its spacing
+    return kUnitsPerNoise * spacing_mm_ * winding_noise(p, spacing_mm_, seed_) - half_mm_;
+  }
+  Bounds bounds(const Ball&) const override { return {-half_mm_, spacing_mm_}; }
+
+ private:
+  float half_mm_;
+  float spacing_mm_;
+  std::uint32_t seed_;
 };
 
 }  // namespace
@@ -253,6 +284,10 @@ ShapePtr roughen(const Roughness& roughness, const ShapePtr& shape) {
 
 ShapePtr groove(const Grooves& grooves, const ShapePtr& shape) {
   return std::make_shared<Grooved>(grooves, shape);
+}
+
+ShapePtr sheets(float thickness_mm, float spacing_mm, std::uint32_t seed) {
+  return std::make_shared<Sheets>(thickness_mm, spacing_mm, seed);
 }
 
 }  // namespace cutaway::phantom

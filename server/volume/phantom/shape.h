@@ -45,7 +45,6 @@ class Shape {
 ShapePtr prune(const ShapePtr& shape, const Ball& ball);
 
 // --- Solids
-// -------------------------------------------------------------------------------------------------------
 
 ShapePtr sphere(glm::vec3 centre_mm, float radius_mm);
 
@@ -68,14 +67,13 @@ struct Knot {
 };
 
 /// A round, tapering tube along straight lines between the knots.
-ShapePtr rod(std::vector<Knot> knots);
+ShapePtr rod(const std::vector<Knot>& knots);
 
 /// A round, tapering tube along a Catmull-Rom curve through the knots. A `weight` below 1 makes the
 /// section wider along that axis by 1/weight.
 ShapePtr tube(const std::vector<Knot>& knots, glm::vec3 weight = glm::vec3(1.0f));
 
 // --- Combinations
-// -------------------------------------------------------------------------------------------------
 
 /// Union, with edges rounded over about `blend_mm`.
 ShapePtr join(float blend_mm, std::vector<ShapePtr> parts);
@@ -116,5 +114,8 @@ struct Grooves {
   std::uint32_t seed = 0;
 };
 ShapePtr groove(const Grooves& grooves, const ShapePtr& shape);
+
+/// Winding sheets through all of space, as the fat that parts the bellies of muscles.
+ShapePtr sheets(float thickness_mm, float spacing_mm, std::uint32_t seed);
 
 }  // namespace cutaway::phantom

@@ -101,63 +101,66 @@ class HalfSpace final : public Shape {
   glm::vec3 normal_;
 };
 
-/// A straight piece whose radius changes linearly along it.
+/// The hull of two balls: all balls between them, with radii that change linearly. The ball nearest
+/// to a point lies beside the foot of the perpendicular, by its length times the tangent of the
+/// taper.
 class Segment {
  public:
-  Segment(const Knot& from, const Knot& to)
-      : from_(from),
-        along_(to.position_mm - from.position_mm),
-        inverse_length2_(1.0f / std::max(glm::dot(along_, along_), 1e-6f)),
-        growth_(to.radius_mm - from.radius_mm) {}
-
-  float distance_mm(glm::vec3 p, glm::vec3 weight) const {
-    const glm::vec3 q = p - from_.position_mm;
-    const float t = glm::clamp(glm::dot(q, along_) * inverse_length2_, 0.0f, 1.0f);
-    return glm::length((q - t * along_) * weight) - (from_.radius_mm + t * growth_);
+  Segment(const Knot& from, const Knot& to, glm::vec3 weight)
+      : from_{from.position_mm * weight, from.radius_mm},
+        along_((to.position_mm - from.position_mm) * weight),
+        growth_(to.radius_mm - from.radius_mm),
+        inverse_length_(1.0f / std::max(glm::length(along_), 1e-3f)) {
+    const float room = glm::dot(along_, along_) - growth_ * growth_;
+    // Where one ball holds the other, any point is nearest to the larger one.
+    tangent_ = room > 0.0f ? growth_ / std::sqrt(room) : (growth_ > 0.0f ? kSteep : -kSteep);
   }
 
-  /// By how much the distance can change per mm.
-  float steepness() const { return 1.0f + std::abs(growth_) * std::sqrt(inverse_length2_); }
-
-  Bounds bounds(const Ball& ball, glm::vec3 weight) const {
-    return around(distance_mm(ball.centre_mm, weight), ball.radius_mm * steepness());
+  float distance_mm(glm::vec3 weighted) const {
+    const glm::vec3 q = weighted - from_.position_mm;
+    const float foot = glm::dot(q, along_) * inverse_length_;
+    const float across = std::sqrt(std::max(glm::dot(q, q) - foot * foot, 0.0f));
+    const float t = glm::clamp((foot + across * tangent_) * inverse_length_, 0.0f, 1.0f);
+    return glm::length(q - t * along_) - (from_.radius_mm + t * growth_);
   }
 
  private:
+  static constexpr float kSteep = 1e6f;
+
   Knot from_;
   glm::vec3 along_;
-  float inverse_length2_;
   float growth_;
+  float inverse_length_;
+  float tangent_;
 };
 
+/// Computed in a space that is shrunk by `weight`, so distances are never too large.
 class Tube final : public Shape {
  public:
   Tube(std::vector<Segment> segments, glm::vec3 weight)
       : segments_(std::move(segments)), weight_(weight) {}
 
   float distance_mm(glm::vec3 p) const override {
+    const glm::vec3 weighted = p * weight_;
     float nearest = std::numeric_limits<float>::max();
     for (const Segment& segment : segments_) {
-      nearest = std::min(nearest, segment.distance_mm(p, weight_));
+      nearest = std::min(nearest, segment.distance_mm(weighted));
     }
     return nearest;
   }
 
   Bounds bounds(const Ball& ball) const override {
-    constexpr float kFar = std::numeric_limits<float>::max();
-    Bounds all{kFar, kFar};
-    for (const Segment& segment : segments_) {
-      const Bounds one = segment.bounds(ball, weight_);
-      all = {std::min(all.low_mm, one.low_mm), std::min(all.high_mm, one.high_mm)};
-    }
-    return all;
+    return around(distance_mm(ball.centre_mm), ball.radius_mm);
   }
 
   ShapePtr pruned(const Ball& ball) const override {
-    const float nearest = bounds(ball).high_mm;
+    const glm::vec3 weighted = ball.centre_mm * weight_;
+    const float nearest = distance_mm(ball.centre_mm);
     std::vector<Segment> kept;
     std::copy_if(segments_.begin(), segments_.end(), std::back_inserter(kept),
-                 [&](const Segment& s) { return s.bounds(ball, weight_).low_mm <= nearest; });
+                 [&](const Segment& segment) {
+                   return segment.distance_mm(weighted) <= nearest + 2.0f * ball.radius_mm;
+                 });
     return kept.size() == segments_.size() ? nullptr
                                            : std::make_shared<Tube>(std::move(kept), weight_);
   }
@@ -170,7 +173,8 @@ class Tube final : public Shape {
 ShapePtr tube_along(const std::vector<Knot>& knots, glm::vec3 weight) {
   check(knots.size() >= 2, "a tube needs two knots");
   std::vector<Segment> segments;
-  for (std::size_t i = 1; i < knots.size(); ++i) segments.emplace_back(knots[i - 1], knots[i]);
+  for (std::size_t i = 1; i < knots.size(); ++i)
+    segments.emplace_back(knots[i - 1], knots[i], weight);
   return std::make_shared<Tube>(std::move(segments), weight);
 }
 
@@ -210,7 +214,7 @@ ShapePtr half_space(glm::vec3 point_mm, glm::vec3 normal) {
   return std::make_shared<HalfSpace>(point_mm, normal);
 }
 
-ShapePtr rod(std::vector<Knot> knots) { return tube_along(knots, glm::vec3(1.0f)); }
+ShapePtr rod(const std::vector<Knot>& knots) { return tube_along(knots, glm::vec3(1.0f)); }
 
 ShapePtr tube(const std::vector<Knot>& knots, glm::vec3 weight) {
   constexpr int kPieces = 6;

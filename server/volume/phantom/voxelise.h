@@ -20,8 +20,8 @@ struct VoxeliseRequest {
   std::function<void(double)> progress;  ///< fraction 0..1, from the calling thread
 };
 
-/// Values ramp over about two voxels across each boundary, like the partial volumes of a scan, and
-/// carry band-limited noise. The bytes do not depend on `threads`. Throws Cancelled.
+/// Values ramp over two to three voxels across each boundary, like the partial volumes of a scan,
+/// and carry band-limited noise. The bytes do not depend on `threads`. Throws Cancelled.
 std::vector<std::uint16_t> voxelise(const Layers& layers, const VoxeliseRequest& request,
                                     const std::stop_token& stop);
 

@@ -77,8 +77,23 @@ TEST(Shape, DistancesOfSimpleSolidsAreExact) {
   EXPECT_FLOAT_EQ(sphere({1, 0, 0}, 2)->distance_mm({6, 0, 0}), 3.0f);
   EXPECT_FLOAT_EQ(rounded_box({0, 0, 0}, {4, 5, 6}, 1)->distance_mm({0, 0, 9}), 3.0f);
   EXPECT_FLOAT_EQ(half_space({0, 0, 2}, {0, 0, 2})->distance_mm({7, 7, 5}), 3.0f);
-  EXPECT_FLOAT_EQ(rod({{{0, 0, 0}, 1}, {{0, 0, 10}, 3}})->distance_mm({5, 0, 5}), 3.0f);
+  EXPECT_FLOAT_EQ(rod({{{0, 0, 0}, 2}, {{0, 0, 10}, 2}})->distance_mm({5, 0, 5}), 3.0f);
   EXPECT_NEAR(ellipsoid({0, 0, 0}, {3, 4, 5})->distance_mm({0, 0, 6}), 1.0f, 1e-5f);
+}
+
+TEST(Shape, ATaperingRodIsTheHullOfItsBalls) {
+  const Knot a{{3, -4, 2}, 2};
+  const Knot b{{12, 5, 9}, 7};
+  const ShapePtr shape = rod({a, b});
+  for (const glm::vec3 p : {glm::vec3(20, 0, 0), {-5, 9, 1}, {3, -9, 3}, {9, 9, -4}, {25, 9, 16}}) {
+    float nearest = 1e9f;
+    for (int i = 0; i <= 4000; ++i) {
+      const float t = float(i) / 4000.0f;
+      const glm::vec3 centre = glm::mix(a.position_mm, b.position_mm, t);
+      nearest = std::min(nearest, glm::length(p - centre) - glm::mix(a.radius_mm, b.radius_mm, t));
+    }
+    EXPECT_NEAR(shape->distance_mm(p), nearest, 1e-3f);
+  }
 }
 
 TEST(Shape, ATubePassesThroughItsKnots) {
