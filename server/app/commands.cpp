@@ -2,7 +2,12 @@
 
 #include <memory>
 
+#include "app/frame_service.h"
 #include "app/render_command.h"
+#include "app/serve_options.h"
+#ifdef CUTAWAY_IMPORT
+#include "import/import_worker.h"
+#endif
 
 namespace cutaway {
 
@@ -38,8 +43,27 @@ void add_render(CLI::App& app) {
   render->callback([command] { run_render(*command); });
 }
 
+std::unique_ptr<FrameSource> make_frame_service(const RendererSettings& settings,
+                                                VolumeLookup find_volume) {
+  return std::make_unique<FrameService>(gl::ContextOptions{.require_gpu = settings.require_gpu},
+                                        settings.encode_threads, std::move(find_volume));
+}
+
+// For the server itself, which reads files in a process of their own (import/isolated_reader.h).
+void add_reader([[maybe_unused]] CLI::App& app) {
+#ifdef CUTAWAY_IMPORT
+  CLI::App* reader = app.add_subcommand("read-volume-worker", "");
+  reader->group("");  // hidden
+  reader->callback([] { std::exit(run_import_worker()); });
+#endif
+}
+
 }  // namespace
 
-void add_commands(CLI::App& app) { add_render(app); }
+void add_commands(CLI::App& app) {
+  add_serve(app, make_frame_service);
+  add_render(app);
+  add_reader(app);
+}
 
 }  // namespace cutaway

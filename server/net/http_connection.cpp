@@ -52,6 +52,9 @@ asio::awaitable<void> HttpConnection::run() {
   const auto self = shared_from_this();
   error_code ignored;
   stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
+  if (const int bytes = context_.settings.send_buffer_bytes; bytes > 0) {
+    stream_.socket().set_option(asio::socket_base::send_buffer_size(bytes), ignored);
+  }
   bool more = true;
   while (more && !ending_) more = co_await serve_request();
   if (web_socket_) co_return;

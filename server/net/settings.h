@@ -17,6 +17,7 @@ struct NetSettings {
   int sessions = 64;                                             ///< WebSocket sessions at once
   std::size_t message_bytes = std::size_t{64} * 1024;            ///< one text message from a client
   std::size_t queued_text_bytes = std::size_t{4} * 1024 * 1024;  ///< waiting for a client to read
+  int send_buffer_bytes = 0;  ///< the kernel's, of one connection; 0: as the kernel chooses
   std::chrono::milliseconds request_timeout{10'000};  ///< until a request has arrived whole
   std::chrono::milliseconds idle_timeout{30'000};     ///< WebSocket: without a word or a pong
   std::chrono::milliseconds write_timeout{20'000};    ///< one message into the client's hands

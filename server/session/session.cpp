@@ -217,7 +217,7 @@ const Scene& Session::shown_scene() const {
 }
 
 void Session::check_size(int width_px, int height_px) const {
-  const int most = settings_.viewport_edge_px;
+  const int most = settings_.viewport_side_px;
   if (width_px > most) throw too_wide("/width_px", most, width_px);
   if (height_px > most) throw too_wide("/height_px", most, height_px);
   const std::int64_t pixels = std::int64_t{width_px} * height_px;

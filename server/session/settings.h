@@ -13,7 +13,7 @@ struct SessionSettings {
   Milliseconds rest{200.0};         ///< without input, before the still frame
   int still_jpeg_quality = 92;
   int still_supersampling = 2;
-  int viewport_edge_px = 4096;
+  int viewport_side_px = 4096;
   std::int64_t viewport_pixels = std::int64_t{4096} * 2304;
   double messages_per_second = 300.0;
   double message_burst = 600.0;

@@ -110,7 +110,13 @@ void RawClient::upgrade() {
       "GET /ws HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
       "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n"
       "Sec-WebSocket-Protocol: cutaway.v1\r\n\r\n");
-  EXPECT_TRUE(read_some().starts_with("HTTP/1.1 101 "));
+  std::string received = read_some();
+  EXPECT_TRUE(received.starts_with("HTTP/1.1 101 "));
+  while (received.find("capabilities") == std::string::npos) {
+    const std::string more = read_some();
+    if (more.empty()) break;
+    received += more;
+  }
 }
 
 HttpResponseMessage fetch(std::uint16_t port, const std::string& target,

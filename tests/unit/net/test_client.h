@@ -37,7 +37,7 @@ class RawClient {
   bool send_text_frame(std::string text);
   /// Closes with a reset instead of a goodbye.
   void reset();
-  /// A WebSocket from here on.
+  /// A WebSocket from here on, whose session has begun.
   void upgrade();
 
  private:

@@ -76,15 +76,18 @@ class TestServer {
   /// Live view of the n-th session, from 0.
   static std::uint64_t view_of_session(int n) { return (2 * static_cast<std::uint64_t>(n)) + 1; }
 
+ private:
+  Server::Hooks hooks(const SessionSettings& session);
+
+  std::atomic<std::uint64_t> next_view_{1};
+  Server server_;  ///< outlives the frames, which end on its strands
+
+ public:
   ThreadedFrames frames;
   ThreadedLibrary library;
   std::atomic<bool> in_trouble{false};
 
  private:
-  Server::Hooks hooks(const SessionSettings& session);
-
-  std::atomic<std::uint64_t> next_view_{1};
-  Server server_;
   std::uint16_t port_;
   std::jthread thread_;
 };

@@ -133,6 +133,7 @@ TEST(WebSocket, TheServerFullIsSaidAndClosedWith1013) {
 TEST(WebSocket, AClientThatNeverAcknowledgesGetsTwoFramesAndDisturbsNobody) {
   TestServer server;
   SocketClient deaf(server.port());
+  deaf.read_until("volumes");
   SocketClient other(server.port());
   deaf.show_ball();
   other.show_ball();
@@ -140,16 +141,18 @@ TEST(WebSocket, AClientThatNeverAcknowledgesGetsTwoFramesAndDisturbsNobody) {
     deaf.move_lens(i + 1.0);
     ASSERT_TRUE(deaf.read_frame().has_value());
   }
+  const int rendered = server.frames.rendered(TestServer::view_of_session(0));
   for (int i = 0; i < 20; ++i) {
     deaf.move_lens(i + 10.0);
     expect_undisturbed(other, i + 10.0);
   }
-  EXPECT_EQ(server.frames.rendered(TestServer::view_of_session(0)), 2);
+  EXPECT_EQ(server.frames.rendered(TestServer::view_of_session(0)), rendered);
 }
 
 TEST(WebSocket, AClientThatFloodsWithoutReadingIsDroppedAndDisturbsNobody) {
   NetSettings settings = testing::test_settings();
   settings.queued_text_bytes = 64 * 1024;
+  settings.send_buffer_bytes = 16 * 1024;
   settings.write_timeout = milliseconds(300);
   SessionSettings session;
   session.messages_per_second = 1e6;
@@ -159,9 +162,13 @@ TEST(WebSocket, AClientThatFloodsWithoutReadingIsDroppedAndDisturbsNobody) {
   rude.upgrade();
   SocketClient other(server.port());
   other.show_ball();
-  EXPECT_TRUE(rude.flood_until_closed());
+  std::atomic<bool> dropped = false;
+  const std::jthread flood([&] {
+    EXPECT_TRUE(rude.flood_until_closed());
+    dropped = true;
+  });
+  for (int i = 0; i < 10 || !dropped; ++i) expect_undisturbed(other, i % 100 + 10.0);
   EXPECT_TRUE(server.frames.wait_for_release(TestServer::view_of_session(0)));
-  for (int i = 0; i < 10; ++i) expect_undisturbed(other, i + 10.0);
 }
 
 TEST(WebSocket, AClientThatDoesNotTakeAFrameInTimeIsDropped) {

@@ -1,0 +1,149 @@
+#include "app/config_keys.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.h"
+
+namespace cutaway {
+
+namespace {
+
+constexpr std::int64_t kMillion = 1'000'000;
+constexpr std::int64_t kTera = std::int64_t{1} << 40;
+
+template <typename Field>
+IntegerKey integer(std::int64_t minimum, std::int64_t maximum, Field field) {
+  return {minimum, maximum, [field](Config& config, std::int64_t value) {
+            auto& place = field(config);
+            place = static_cast<std::remove_reference_t<decltype(place)>>(value);
+          }};
+}
+
+template <typename Field>
+IntegerKey milliseconds(std::int64_t minimum, std::int64_t maximum, Field field) {
+  return {minimum, maximum, [field](Config& config, std::int64_t value) {
+            field(config) = std::chrono::milliseconds(value);
+          }};
+}
+
+template <typename Kind, typename Field>
+Kind plain(Field field) {
+  return {[field](Config& config, const auto& value) { field(config) = value; }};
+}
+
+void set_log_level(Config& config, const std::string& level) {
+  constexpr std::array kLevels = {"trace", "debug", "info", "warning", "error", "off"};
+  if (std::ranges::find(kLevels, level) == kLevels.end()) {
+    throw Error({.code = "out-of-range",
+                 .message = "there is no such log level",
+                 .expected = "trace, debug, info, warning, error or off",
+                 .received = level});
+  }
+  config.log_level = level;
+}
+
+std::vector<ConfigKey> server_keys() {
+  return {
+      {"server", "listen",
+       TextKey{[](Config& c, const std::string& t) { parse_listen(t, c.net); }}},
+      {"server", "io_threads",
+       integer(
+           1, 64, [](Config & c) -> auto& { return c.net.io_threads; })},
+      {"server", "connections",
+       integer(
+           1, kMillion, [](Config & c) -> auto& { return c.net.connections; })},
+      {"server", "sessions",
+       integer(
+           1, kMillion, [](Config & c) -> auto& { return c.net.sessions; })},
+      {"server", "message_bytes",
+       integer(
+           1024, 64 * kMillion, [](Config & c) -> auto& { return c.net.message_bytes; })},
+      {"server", "queued_text_bytes",
+       integer(
+           64 * 1024, kTera, [](Config & c) -> auto& { return c.net.queued_text_bytes; })},
+      {"server", "send_buffer_bytes",
+       integer(
+           0, 1 << 30, [](Config & c) -> auto& { return c.net.send_buffer_bytes; })},
+      {"server", "request_timeout_ms",
+       milliseconds(
+           10, kMillion, [](Config & c) -> auto& { return c.net.request_timeout; })},
+      {"server", "idle_timeout_ms",
+       milliseconds(
+           100, 100 * kMillion, [](Config & c) -> auto& { return c.net.idle_timeout; })},
+      {"server", "write_timeout_ms",
+       milliseconds(
+           10, kMillion, [](Config & c) -> auto& { return c.net.write_timeout; })},
+      {"server", "stop_timeout_ms",
+       milliseconds(
+           0, kMillion, [](Config & c) -> auto& { return c.net.stop_timeout; })},
+      {"server", "allowed_origins",
+       plain<TextListKey>([](Config & c) -> auto& { return c.net.allowed_origins; })},
+      {"server", "web_root", plain<PathKey>([](Config & c) -> auto& { return c.net.web_root; })},
+      {"server", "notice", plain<TextKey>([](Config & c) -> auto& { return c.notice; })},
+  };
+}
+
+std::vector<ConfigKey> session_keys() {
+  return {
+      {"session", "frames_in_flight",
+       integer(
+           1, 8, [](Config & c) -> auto& { return c.session.frames_in_flight; })},
+      {"session", "frame_budget_ms",
+       NumberKey{1, 1000, [](Config& c, double v) { c.session.frame_budget = Milliseconds(v); }}},
+      {"session", "rest_ms",
+       NumberKey{0, 60'000, [](Config& c, double v) { c.session.rest = Milliseconds(v); }}},
+      {"session", "still_jpeg_quality",
+       integer(
+           1, 100, [](Config & c) -> auto& { return c.session.still_jpeg_quality; })},
+      {"session", "still_supersampling",
+       integer(
+           1, 2, [](Config & c) -> auto& { return c.session.still_supersampling; })},
+      {"session", "viewport_side_px",
+       integer(
+           1, 8192, [](Config & c) -> auto& { return c.session.viewport_side_px; })},
+      {"session", "viewport_pixels",
+       integer(
+           1, std::int64_t{8192} * 8192,
+           [](Config & c) -> auto& { return c.session.viewport_pixels; })},
+      {"session", "messages_per_second",
+       NumberKey{1, 1e6, [](Config& c, double v) { c.session.messages_per_second = v; }}},
+      {"session", "message_burst",
+       NumberKey{1, 1e6, [](Config& c, double v) { c.session.message_burst = v; }}},
+  };
+}
+
+std::vector<ConfigKey> other_keys() {
+  return {
+      {"volumes", "data", plain<PathListKey>([](Config & c) -> auto& { return c.volumes.data; })},
+      {"volumes", "volume_bytes",
+       integer(
+           kMillion, 1024 * kTera, [](Config & c) -> auto& { return c.volumes.volume_bytes; })},
+      {"volumes", "memory_bytes",
+       integer(
+           kMillion, 1024 * kTera, [](Config & c) -> auto& { return c.volumes.memory_bytes; })},
+      {"volumes", "load_threads",
+       integer(
+           1, 64, [](Config & c) -> auto& { return c.volumes.load_threads; })},
+      {"renderer", "require_gpu",
+       plain<BooleanKey>([](Config & c) -> auto& { return c.renderer.require_gpu; })},
+      {"renderer", "encode_threads",
+       integer(
+           1, 64, [](Config & c) -> auto& { return c.renderer.encode_threads; })},
+      {"log", "level", TextKey{set_log_level}},
+  };
+}
+
+}  // namespace
+
+const std::vector<ConfigKey>& config_keys() {
+  static const std::vector<ConfigKey> all = [] {
+    std::vector<ConfigKey> keys = server_keys();
+    std::ranges::copy(session_keys(), std::back_inserter(keys));
+    std::ranges::copy(other_keys(), std::back_inserter(keys));
+    return keys;
+  }();
+  return all;
+}
+
+}  // namespace cutaway

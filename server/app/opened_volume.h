@@ -1,0 +1,31 @@
+// A loaded volume as sessions see it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "session/ends.h"
+#include "volume/loaded_volume.h"
+
+namespace cutaway {
+
+/// Immutable.
+class OpenedVolume final : public OpenVolume {
+ public:
+  explicit OpenedVolume(std::shared_ptr<const LoadedVolume> loaded);
+
+  const VolumeFacts& facts() const override { return facts_; }
+  const std::string& units() const override { return loaded_->volume.description.units; }
+  const Json& summary() const override { return summary_; }
+  std::optional<double> value_at(glm::dvec3 position_mm) const override;
+
+  const std::shared_ptr<const LoadedVolume>& loaded() const { return loaded_; }
+
+ private:
+  std::shared_ptr<const LoadedVolume> loaded_;
+  glm::dmat4 patient_to_index_;
+  VolumeFacts facts_;
+  Json summary_;
+};
+
+}  // namespace cutaway

@@ -1,0 +1,138 @@
+#include "app/serve_command.h"
+
+#include <array>
+#include <atomic>
+#include <cstdio>
+#include <utility>
+
+#include "app/volume_service.h"
+#include "core/log.h"
+#include "net/server.h"
+#include "scene/json_text.h"
+#include "scene/server_message.h"
+
+namespace cutaway {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The parts of a running server. What is declared later is destroyed earlier: frames that are
+/// still under way end on strands that still stand.
+class Serving {
+ public:
+  Serving(const Config& config, const FrameSourceFactory& make_frames);
+
+  std::string url() const { return server_->url(); }
+  void run() { server_->run(); }
+
+ private:
+  Server::Hooks hooks();
+  std::unique_ptr<Session> make_session(std::shared_ptr<Strand> strand, ClientSink& client);
+
+  SessionSettings session_settings_;
+  VolumeService volumes_;
+  std::shared_ptr<const std::string> capabilities_;
+  std::atomic<std::uint64_t> next_view_{1};
+  std::unique_ptr<Server> server_;
+  std::unique_ptr<FrameSource> frames_;
+};
+
+std::string capabilities_text(const Config& config, const RendererDescription& renderer) {
+  return json_text(capabilities_message(
+      {.server = "cutaway " CUTAWAY_VERSION,
+       .renderer = renderer.name,
+       .software_renderer = renderer.software,
+       .limits = {.message_bytes = static_cast<std::int64_t>(config.net.message_bytes),
+                  .viewport_pixels = config.session.viewport_pixels,
+                  .viewport_side_px = config.session.viewport_side_px,
+                  .frames_in_flight = config.session.frames_in_flight},
+       .notice = config.notice}));
+}
+
+void say_renderer(const RendererDescription& renderer) {
+  log().info("renderer: {}", renderer.name);
+  if (!renderer.software) return;
+  log().warn("NO GPU IS USED: pictures are rendered in software, slowly and at low resolution");
+}
+
+fs::path this_executable() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error);
+}
+
+VolumeSettings with_reader(VolumeSettings settings) {
+  settings.reader = this_executable();
+  return settings;
+}
+
+NetSettings with_web_root(NetSettings settings) {
+  settings.web_root = find_web_root(settings.web_root);
+  if (settings.web_root.empty()) log().warn("the web client is not built: only the API is served");
+  return settings;
+}
+
+void check_data(const std::vector<fs::path>& data) {
+  for (const fs::path& path : data) {
+    if (fs::exists(path)) continue;
+    throw Error({.code = "unknown-volume",
+                 .message = "there is no such data folder",
+                 .field = path.string(),
+                 .expected = "a folder or file with volumes"});
+  }
+}
+
+Serving::Serving(const Config& config, const FrameSourceFactory& make_frames)
+    : session_settings_(config.session), volumes_(with_reader(config.volumes)) {
+  frames_ =
+      make_frames(config.renderer, [this](const std::string& id) { return volumes_.loaded(id); });
+  const RendererDescription renderer = frames_->describe();
+  say_renderer(renderer);
+  capabilities_ = std::make_shared<const std::string>(capabilities_text(config, renderer));
+  server_ = std::make_unique<Server>(with_web_root(config.net), hooks());
+}
+
+Server::Hooks Serving::hooks() {
+  return {.sources = {.volumes = [this] { return volumes_.listing(); },
+                      .trouble = [this] { return frames_->trouble(); }},
+          .make_session = [this](std::shared_ptr<Strand> strand, ClientSink& client) {
+            return make_session(std::move(strand), client);
+          }};
+}
+
+std::unique_ptr<Session> Serving::make_session(std::shared_ptr<Strand> strand, ClientSink& client) {
+  const std::uint64_t view = next_view_.fetch_add(2);
+  return std::make_unique<Session>(SessionEnds{.strand = std::move(strand),
+                                               .frames = *frames_,
+                                               .volumes = volumes_,
+                                               .client = client,
+                                               .live_view = view,
+                                               .still_view = view + 1,
+                                               .capabilities = capabilities_},
+                                   session_settings_);
+}
+
+}  // namespace
+
+fs::path find_web_root(const fs::path& configured) {
+  if (!configured.empty()) return configured;
+  const fs::path here = this_executable().parent_path();
+  const std::array places = {here / "web-client", here / "../../web-client/dist",
+                             here / "../share/cutaway/web-client",
+                             fs::path("/usr/share/cutaway/web-client")};
+  for (const fs::path& place : places) {
+    if (fs::is_regular_file(place / "index.html")) return fs::canonical(place);
+  }
+  return {};
+}
+
+void run_serve(const Config& config, const FrameSourceFactory& make_frames) {
+  log().set_level(spdlog::level::from_str(config.log_level));
+  check_data(config.volumes.data);
+  Serving serving(config, make_frames);
+  std::printf("Cutaway is at %s\n", serving.url().c_str());
+  std::fflush(stdout);
+  serving.run();
+}
+
+}  // namespace cutaway

@@ -1,0 +1,196 @@
+#include "app/volume_service.h"
+
+#include <boost/asio/post.hpp>
+#include <utility>
+
+#include "app/load_job.h"
+#include "core/log.h"
+
+namespace cutaway {
+
+/// Hears of changes until it is gone; then of none that is under way either.
+class ListingWatch {
+ public:
+  explicit ListingWatch(std::function<void()> changed) : changed_(std::move(changed)) {}
+  void call() {
+    const std::lock_guard lock(mutex_);
+    if (changed_) changed_();
+  }
+  void dismiss() {
+    const std::lock_guard lock(mutex_);
+    changed_ = nullptr;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::function<void()> changed_;
+};
+
+namespace {
+
+class WatchTicket final : public OpenTicket {
+ public:
+  explicit WatchTicket(std::shared_ptr<ListingWatch> watch) : watch_(std::move(watch)) {}
+  ~WatchTicket() override { watch_->dismiss(); }
+  WatchTicket(const WatchTicket&) = delete;
+  WatchTicket& operator=(const WatchTicket&) = delete;
+
+ private:
+  std::shared_ptr<ListingWatch> watch_;
+};
+
+// Before the voxels are read: at most as many bytes as floats take.
+std::uint64_t expected_bytes(const VolumeGeometry& geometry) {
+  const glm::u64vec3 size(geometry.size_voxels);
+  return size.x * size.y * size.z * sizeof(float);
+}
+
+}  // namespace
+
+/// Holds the job for as long as someone waits for it.
+class LoadTicket final : public OpenTicket {
+ public:
+  LoadTicket(VolumeService& service, std::shared_ptr<LoadJob> job,
+             std::shared_ptr<LoadWaiter> waiter)
+      : service_(service), job_(std::move(job)), waiter_(std::move(waiter)) {}
+  ~LoadTicket() override { service_.withdraw(job_, waiter_); }
+  LoadTicket(const LoadTicket&) = delete;
+  LoadTicket& operator=(const LoadTicket&) = delete;
+
+ private:
+  VolumeService& service_;
+  std::shared_ptr<LoadJob> job_;
+  std::shared_ptr<LoadWaiter> waiter_;
+};
+
+VolumeService::VolumeService(const VolumeSettings& settings)
+    : settings_(settings),
+      cache_(settings.memory_bytes),
+      pool_(static_cast<std::size_t>(settings.load_threads)),
+      catalogue_(settings, [this] { announce_listing(); }) {}
+
+VolumeService::~VolumeService() {
+  pool_.stop();
+  pool_.join();
+}
+
+std::unique_ptr<OpenTicket> VolumeService::watch(std::function<void()> changed) {
+  const auto watch = std::make_shared<ListingWatch>(std::move(changed));
+  const std::lock_guard lock(mutex_);
+  std::erase_if(watches_, [](const auto& each) { return each.expired(); });
+  watches_.push_back(watch);
+  return std::make_unique<WatchTicket>(watch);
+}
+
+void VolumeService::announce_listing() {
+  std::list<std::weak_ptr<ListingWatch>> watches;
+  {
+    const std::lock_guard lock(mutex_);
+    watches = watches_;
+  }
+  for (const auto& each : watches) {
+    if (const auto watch = each.lock()) watch->call();
+  }
+}
+
+std::unique_ptr<OpenTicket> VolumeService::open(const std::string& id, ProgressSink progress,
+                                                std::function<void(OpenOutcome)> done) {
+  auto waiter = std::make_shared<LoadWaiter>(std::move(progress), std::move(done));
+  const std::lock_guard lock(mutex_);
+  std::shared_ptr<LoadJob>& job = jobs_[id];
+  const bool is_new = job == nullptr;
+  if (is_new) job = std::make_shared<LoadJob>(id);
+  job->join(waiter);
+  if (is_new) begin(job);
+  return std::make_unique<LoadTicket>(*this, job, std::move(waiter));
+}
+
+void VolumeService::begin(const std::shared_ptr<LoadJob>& job) {
+  boost::asio::post(pool_, [this, job] { load(*job); });
+}
+
+std::shared_ptr<const LoadedVolume> VolumeService::loaded(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  const auto volume = cache_.find(id);
+  return volume ? volume->loaded() : nullptr;
+}
+
+void VolumeService::load(LoadJob& job) {
+  try {
+    finish(job, read(job));
+  } catch (const Cancelled&) {
+    finish(job, Cancelled());
+  } catch (const Error& error) {
+    log().warn("{} was not opened: {}", job.id(), error.what());
+    finish(job, error);
+  } catch (const std::bad_alloc&) {
+    finish(job, Error({.code = "too-large",
+                       .message = "there is not enough memory for this volume",
+                       .field = job.id()}));
+  } catch (const std::exception& failure) {
+    log().error("{} was not opened: {}", job.id(), failure.what());
+    finish(job, Error({.code = "internal", .message = "the volume could not be read"}));
+  }
+}
+
+std::shared_ptr<const OpenedVolume> VolumeService::read(LoadJob& job) {
+  const CatalogueEntry entry = catalogue_.find(job.id(), job.stop());
+  const std::uint64_t bytes = expected_bytes(entry.geometry);
+  if (auto volume = reserve(job.id(), bytes)) return volume;
+  try {
+    auto opened = read_reserved(entry, job);
+    const std::lock_guard lock(mutex_);
+    reserved_bytes_ -= bytes;
+    cache_.add(opened);
+    return opened;
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    reserved_bytes_ -= bytes;
+    throw;
+  }
+}
+
+std::shared_ptr<const OpenedVolume> VolumeService::reserve(const std::string& id,
+                                                           std::uint64_t bytes) {
+  const std::lock_guard lock(mutex_);
+  if (auto volume = cache_.find(id)) return volume;
+  cache_.make_room(reserved_bytes_ + bytes);
+  reserved_bytes_ += bytes;
+  return nullptr;
+}
+
+// The volume goes by the name it was asked for: the scene says that name, and the renderer looks
+// for it.
+std::shared_ptr<const OpenedVolume> VolumeService::read_reserved(const CatalogueEntry& entry,
+                                                                 LoadJob& job) {
+  const ProgressSink progress = [&job](LoadStage stage, double fraction) {
+    job.progress(stage, fraction);
+  };
+  Volume volume = entry.read(progress, job.stop());
+  volume.description.id = job.id();
+  auto opened = std::make_shared<const OpenedVolume>(
+      derive_loaded_volume(std::move(volume), progress, job.stop()));
+  progress(LoadStage::upload, 1.0);
+  return opened;
+}
+
+// Whoever asks from here on finds the volume in the cache, or tries anew.
+void VolumeService::finish(LoadJob& job, const OpenOutcome& outcome) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto mine = jobs_.find(job.id());
+    if (mine != jobs_.end() && mine->second.get() == &job) jobs_.erase(mine);
+  }
+  job.finish(outcome);
+}
+
+void VolumeService::withdraw(const std::shared_ptr<LoadJob>& job,
+                             const std::shared_ptr<LoadWaiter>& waiter) {
+  waiter->dismiss();
+  const std::lock_guard lock(mutex_);
+  if (!job->leave(waiter)) return;
+  const auto mine = jobs_.find(job->id());
+  if (mine != jobs_.end() && mine->second == job) jobs_.erase(mine);
+}
+
+}  // namespace cutaway

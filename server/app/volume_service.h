@@ -1,0 +1,64 @@
+// The server's volumes: lists them, loads them, shares and keeps what is loaded.
+#pragma once
+
+#include <boost/asio/thread_pool.hpp>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "app/config.h"
+#include "app/volume_cache.h"
+#include "app/volume_catalogue.h"
+#include "session/ends.h"
+
+namespace cutaway {
+
+class LoadJob;
+class LoadWaiter;
+class ListingWatch;
+
+/// Thread-safe. One load serves all who wait for the same volume; it is cancelled when the last of
+/// them goes.
+class VolumeService final : public VolumeLibrary {
+ public:
+  explicit VolumeService(const VolumeSettings& settings);
+  /// After every ticket is gone. Waits for loads to stop.
+  ~VolumeService() override;
+  VolumeService(const VolumeService&) = delete;
+  VolumeService& operator=(const VolumeService&) = delete;
+
+  Json listing() const override { return catalogue_.listing(); }
+  std::unique_ptr<OpenTicket> watch(std::function<void()> changed) override;
+  std::unique_ptr<OpenTicket> open(const std::string& id, ProgressSink progress,
+                                   std::function<void(OpenOutcome)> done) override;
+
+  /// For the renderer; null where it is not loaded.
+  std::shared_ptr<const LoadedVolume> loaded(const std::string& id);
+
+ private:
+  friend class LoadTicket;
+
+  void announce_listing();
+  void begin(const std::shared_ptr<LoadJob>& job);
+  void load(LoadJob& job);
+  std::shared_ptr<const OpenedVolume> read(LoadJob& job);
+  /// The volume where it is loaded already; else room for it is set aside.
+  std::shared_ptr<const OpenedVolume> reserve(const std::string& id, std::uint64_t bytes);
+  static std::shared_ptr<const OpenedVolume> read_reserved(const CatalogueEntry& entry,
+                                                           LoadJob& job);
+  void finish(LoadJob& job, const OpenOutcome& outcome);
+  void withdraw(const std::shared_ptr<LoadJob>& job, const std::shared_ptr<LoadWaiter>& waiter);
+
+  VolumeSettings settings_;
+  std::mutex mutex_;  ///< of the cache, the reservation, the jobs and the watches
+  VolumeCache cache_;
+  std::uint64_t reserved_bytes_ = 0;  ///< for loads under way
+  std::map<std::string, std::shared_ptr<LoadJob>> jobs_;
+  std::list<std::weak_ptr<ListingWatch>> watches_;
+  boost::asio::thread_pool pool_;
+  VolumeCatalogue catalogue_;  ///< last: its thread calls announce_listing
+};
+
+}  // namespace cutaway
