@@ -17,6 +17,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return 0;
+  } catch (const CLI::RuntimeError& ended) {
+    return ended.get_exit_code();
   } catch (const CLI::ParseError& usage) {
     // CLI11 prints help and version too, as "errors" with code 0.
     return app.exit(usage) == 0 ? 0 : 2;

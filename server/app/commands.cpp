@@ -1,10 +1,15 @@
 #include "app/commands.h"
 
+#include <cstdio>
+#include <iostream>
 #include <memory>
 
 #include "app/frame_service.h"
+#include "app/info_command.h"
 #include "app/render_command.h"
 #include "app/serve_options.h"
+#include "app/terminal_progress.h"
+
 #ifdef CUTAWAY_IMPORT
 #include "import/import_worker.h"
 #endif
@@ -43,27 +48,51 @@ void add_render(CLI::App& app) {
   render->callback([command] { run_render(*command); });
 }
 
+InfoReaders file_readers() {
+#ifdef CUTAWAY_IMPORT
+  return {
+      .scan = [](const auto& path, const auto& root) { return scan_volumes(path, root, {}, {}); },
+      .read =
+          [](const VolumeSource& source) {
+            return read_volume(source, {}, terminal_progress(), {});
+          }};
+#else
+  return {};
+#endif
+}
+
+void add_info(CLI::App& app) {
+  const auto request = std::make_shared<InfoRequest>();
+  CLI::App* info = app.add_subcommand("info", "Says what a file or folder holds");
+  info->add_option("path", request->path, "A file, a folder or phantom:NAME")->required();
+  info->add_flag("--json", request->as_json, "One JSON object");
+  info->callback([request] {
+    const int status = run_info(*request, file_readers(), std::cout, std::cerr);
+    if (status != 0) throw CLI::RuntimeError(status);
+  });
+}
+
+/// Not for people: the program starts itself so to read a file in a process of its own.
+void add_import_worker([[maybe_unused]] CLI::App& app) {
+#ifdef CUTAWAY_IMPORT
+  CLI::App* worker = app.add_subcommand("read-volume-worker")->group("");
+  worker->callback([] { throw CLI::RuntimeError(run_import_worker()); });
+#endif
+}
+
 std::unique_ptr<FrameSource> make_frame_service(const RendererSettings& settings,
                                                 VolumeLookup find_volume) {
   return std::make_unique<FrameService>(gl::ContextOptions{.require_gpu = settings.require_gpu},
                                         settings.encode_threads, std::move(find_volume));
 }
 
-// For the server itself, which reads files in a process of their own (import/isolated_reader.h).
-void add_reader([[maybe_unused]] CLI::App& app) {
-#ifdef CUTAWAY_IMPORT
-  CLI::App* reader = app.add_subcommand("read-volume-worker", "");
-  reader->group("");  // hidden
-  reader->callback([] { std::exit(run_import_worker()); });
-#endif
-}
-
 }  // namespace
 
 void add_commands(CLI::App& app) {
   add_serve(app, make_frame_service);
+  add_info(app);
   add_render(app);
-  add_reader(app);
+  add_import_worker(app);
 }
 
 }  // namespace cutaway
