@@ -2,6 +2,8 @@
 
 #include <gdcmByteValue.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -48,6 +50,11 @@ std::vector<double> decimals_at(const gdcm::DataSet& data, std::uint16_t group,
     text = end == std::string::npos ? std::string() : text.substr(end + 1);
   }
   return numbers;
+}
+
+bool are_finite(const std::vector<double>& numbers, std::size_t count) {
+  return numbers.size() == count &&
+         std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
 }
 
 std::optional<double> binary_at(const gdcm::DataSet& data, std::uint16_t group,

@@ -18,6 +18,9 @@ std::string text_at(const gdcm::DataSet& data, std::uint16_t group, std::uint16_
 std::vector<double> decimals_at(const gdcm::DataSet& data, std::uint16_t group,
                                 std::uint16_t element);
 
+/// Exactly `count` numbers, and all of them finite.
+bool are_finite(const std::vector<double>& numbers, std::size_t count);
+
 /// A number in binary (US, SS, UL, SL, FL, FD).
 std::optional<double> binary_at(const gdcm::DataSet& data, std::uint16_t group,
                                 std::uint16_t element);

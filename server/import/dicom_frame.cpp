@@ -1,6 +1,7 @@
 #include "import/dicom_frame.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gdcmMediaStorage.h>
 #include <gdcmReader.h>
 #include <gdcmTrace.h>
@@ -98,9 +99,9 @@ std::vector<double> required_decimals(const fs::path& file, const gdcm::DataSet&
                                       int element, std::size_t count, const char* name) {
   std::vector<double> numbers =
       decimals_at(data, static_cast<std::uint16_t>(group), static_cast<std::uint16_t>(element));
-  if (numbers.size() == count) return numbers;
-  refuse(file, fmt::format("the image has no usable {}", name), fmt::format("{} numbers", count),
-         fmt::format("{}", numbers.size()));
+  if (are_finite(numbers, count)) return numbers;
+  refuse(file, fmt::format("the image has no usable {}", name),
+         fmt::format("{} finite numbers", count), fmt::format("{}", fmt::join(numbers, ", ")));
 }
 
 DicomFrame single_frame(const fs::path& file, const gdcm::DataSet& data) {

@@ -1,6 +1,7 @@
 #include "import/dicom_functional_groups.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "import/dicom_dataset.h"
 #include "import/refusal.h"
@@ -45,9 +46,9 @@ class FrameGroups {
 
 void require_count(const DicomFrame& frame, const std::vector<double>& numbers, std::size_t count,
                    const char* name) {
-  if (numbers.size() == count) return;
+  if (are_finite(numbers, count)) return;
   refuse(frame.file, fmt::format("frame {} has no usable {}", frame.index + 1, name),
-         fmt::format("{} numbers", count), fmt::format("{}", numbers.size()));
+         fmt::format("{} finite numbers", count), fmt::format("{}", fmt::join(numbers, ", ")));
 }
 
 void place_frame(DicomFrame& frame, const FrameGroups& groups) {

@@ -1,0 +1,50 @@
+// DICOM files for tests, element by element.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cutaway::test {
+
+using DicomTag = std::pair<std::uint16_t, std::uint16_t>;
+
+struct DicomSlice {
+  std::string series_uid = "1.2.826.1";
+  std::string modality = "CT";
+  glm::ivec2 size_px{4, 4};
+  glm::dvec2 spacing_mm{1.0};  ///< between columns, between rows
+  glm::dvec3 row_axis{1, 0, 0};
+  glm::dvec3 column_axis{0, 1, 0};
+  glm::dvec3 position_mm{0.0};
+  double slope = 1.0;
+  double intercept = 0.0;
+  int bits_stored = 16;
+  bool is_signed = true;
+  std::vector<std::int16_t> stored;  ///< as many as size_px says
+  std::map<DicomTag, std::string>
+      texts;  ///< further elements of text, or in place of those above; empty: leave it out
+
+  /// Stored values such that the rescaled ones are patient_ramp() at each pixel.
+  void fill_with_ramp();
+};
+
+/// Explicit VR little endian. The instance UID is made from the file's name unless `texts` has one.
+void write_dicom(const std::filesystem::path& file, const DicomSlice& slice);
+
+enum class Syntax { implicit, big_endian, deflated, rle, jpeg_lossless, jpeg_ls, jpeg_2000 };
+
+/// Rewrites a file; fails the test where GDCM cannot.
+void transcode(const std::filesystem::path& file, Syntax syntax);
+
+/// One enhanced multi-frame file; what frames share of orientation and spacing goes to the shared
+/// groups. `frame_extras` gives each frame a TemporalPositionIndex above 0, or 0 for none.
+void write_enhanced_dicom(const std::filesystem::path& file, const std::vector<DicomSlice>& frames,
+                          const std::vector<std::uint32_t>& temporal_positions = {});
+
+}  // namespace cutaway::test

@@ -1,0 +1,303 @@
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <numeric>
+
+#include "import/natural_order.h"
+#include "unit/import/import_test_support.h"
+
+namespace cutaway::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr glm::ivec2 kSize(5, 4);
+
+template <typename T>
+std::vector<T> page(int slice) {
+  std::vector<T> pixels(static_cast<std::size_t>(kSize.x * kSize.y));
+  std::iota(pixels.begin(), pixels.end(), static_cast<T>(slice * 20));
+  return pixels;
+}
+
+template <typename T>
+OIIO::ImageSpec spec_of(int channels) {
+  return {kSize.x, kSize.y, channels, OIIO::BaseTypeFromC<T>::value};
+}
+
+template <typename T>
+void write_picture(const fs::path& file, const OIIO::ImageSpec& spec,
+                   const std::vector<T>& pixels) {
+  fs::create_directories(file.parent_path());
+  const auto output = OIIO::ImageOutput::create(file.string());
+  ASSERT_TRUE(output && output->open(file.string(), spec)) << OIIO::geterror();
+  ASSERT_TRUE(output->write_image(OIIO::BaseTypeFromC<T>::value, pixels.data()));
+  ASSERT_TRUE(output->close());
+}
+
+template <typename T>
+void write_stack(const fs::path& folder, const char* pattern, int slices,
+                 const OIIO::ImageSpec& spec) {
+  for (int k = 0; k < slices; ++k) {
+    write_picture(folder / fmt::format(fmt::runtime(pattern), k + 1), spec, page<T>(k));
+  }
+}
+
+void expect_pages(const Volume& volume, int slices) {
+  ASSERT_EQ(volume.geometry.size_voxels, glm::ivec3(kSize, slices));
+  for (int k = 0; k < slices; ++k) {
+    for (int j = 0; j < kSize.y; ++j) {
+      for (int i = 0; i < kSize.x; ++i) {
+        ASSERT_EQ(value_at(volume, {i, j, k}), k * 20 + j * kSize.x + i)
+            << i << " " << j << " " << k;
+      }
+    }
+  }
+}
+
+TEST(ImageStack, ReadsEightAndSixteenBitsOfBothFormatsInNaturalOrder) {
+  for (const char* pattern : {"slice{}.tif", "slice{}.png", "Slice {:04d} of 12.tiff"}) {
+    TemporaryFolder folder;
+    write_stack<std::uint8_t>(folder / "eight", pattern, 12, spec_of<std::uint8_t>(1));
+    write_stack<std::uint16_t>(folder / "sixteen", pattern, 12, spec_of<std::uint16_t>(1));
+    for (const char* name : {"eight", "sixteen"}) {
+      const Volume volume = read_only_volume(folder / name);
+      expect_pages(volume, 12);
+      EXPECT_EQ(volume.description.id, name);
+      EXPECT_EQ(volume.description.format, "image stack");
+      EXPECT_TRUE(has_warning(volume.description, "1 mm was taken"));
+    }
+  }
+}
+
+struct Resolution {
+  std::uint32_t x = 1;
+  std::uint32_t y = 1;
+  std::uint16_t unit = 1;  ///< 1 none, 2 inch, 3 centimetre
+};
+
+/// A classic TIFF of one strip by hand, from the format's definition: 16 bit, in either byte order.
+std::string tiff_bytes(int slice, bool big, const Resolution& resolution,
+                       std::string description = "-") {
+  description.resize(64, '\0');
+  constexpr std::uint32_t kEntries = 13;
+  constexpr std::uint32_t kRationals = 8 + 2 + kEntries * 12 + 4;
+  constexpr std::uint32_t kDescription = kRationals + 16;
+  constexpr std::uint32_t kPixels = kDescription + 64;
+  struct Entry {
+    std::uint16_t tag, type;
+    std::uint32_t count, value;
+  };
+  const std::vector<Entry> entries{{256, 3, 1, 5},
+                                   {257, 3, 1, 4},
+                                   {258, 3, 1, 16},
+                                   {259, 3, 1, 1},
+                                   {262, 3, 1, 1},
+                                   {270, 2, 64, kDescription},
+                                   {273, 4, 1, kPixels},
+                                   {277, 3, 1, 1},
+                                   {278, 3, 1, 4},
+                                   {279, 4, 1, 40},
+                                   {282, 5, 1, kRationals},
+                                   {283, 5, 1, kRationals + 8},
+                                   {296, 3, 1, resolution.unit}};
+  const auto shorts = [&](std::vector<std::uint16_t> v) { return bytes_of_numbers(v, big); };
+  const auto longs = [&](std::vector<std::uint32_t> v) { return bytes_of_numbers(v, big); };
+  std::string file = (big ? "MM" : "II") + shorts({42}) + longs({8}) + shorts({kEntries});
+  for (const auto& [tag, type, count, value] : entries) {
+    file += shorts({tag, type}) + longs({count});
+    file += type == 3 ? shorts({static_cast<std::uint16_t>(value), 0}) : longs({value});
+  }
+  file += longs({0, resolution.x, 1, resolution.y, 1}) + description;
+  return file + bytes_of_numbers(page<std::uint16_t>(slice), big);
+}
+
+void write_tiffs(const fs::path& folder, bool big, const Resolution& resolution,
+                 const std::string& description = "-") {
+  for (int k = 0; k < 3; ++k) {
+    write_file(folder / fmt::format("s{}.tif", k), tiff_bytes(k, big, resolution, description));
+  }
+}
+
+TEST(ImageStack, ReadsTiffInBothByteOrders) {
+  for (const bool big : {false, true}) {
+    TemporaryFolder folder;
+    write_tiffs(folder.path(), big, {});
+    expect_pages(read_only_volume(folder.path()), 3);
+  }
+}
+
+TEST(ImageStack, ReadsFloats) {
+  TemporaryFolder folder;
+  write_stack<float>(folder.path(), "s{}.tif", 3, spec_of<float>(1));
+  expect_pages(read_only_volume(folder.path()), 3);
+}
+
+TEST(ImageStack, ReadsThePagesOfOneTiff) {
+  TemporaryFolder folder;
+  const fs::path file = folder / "pages.tif";
+  const std::vector<OIIO::ImageSpec> specs(6, spec_of<std::uint16_t>(1));
+  const auto output = OIIO::ImageOutput::create(file.string());
+  ASSERT_TRUE(output->open(file.string(), 6, specs.data()));
+  for (int k = 0; k < 6; ++k) {
+    ASSERT_TRUE(k == 0 || output->open(file.string(), specs[0], OIIO::ImageOutput::AppendSubimage));
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT16, page<std::uint16_t>(k).data()));
+  }
+  ASSERT_TRUE(output->close());
+  const Volume volume = read_only_volume(folder.path());
+  expect_pages(volume, 6);
+  EXPECT_EQ(volume.description.id, "pages.tif");
+}
+
+TEST(ImageStack, TakesSpacingFromTheResolution) {
+  TemporaryFolder folder;
+  write_tiffs(folder / "cm", false, {20, 25, 3});
+  write_tiffs(folder / "inch", true, {254, 127, 2});
+  const VolumeSource cm = only_source(folder / "cm", folder.path());
+  EXPECT_NEAR(cm.geometry.spacing_mm.x, 0.5, 1e-6);
+  EXPECT_NEAR(cm.geometry.spacing_mm.y, 0.4, 1e-6);
+  EXPECT_TRUE(has_warning(cm.description, "no distance between slices"));
+  EXPECT_NEAR(only_source(folder / "inch", folder.path()).geometry.spacing_mm.y, 0.2, 1e-6);
+}
+
+TEST(ImageStack, TakesSpacingFromImageJsDescription) {
+  TemporaryFolder folder;
+  write_tiffs(folder.path(), false, {2, 4, 1}, "ImageJ=1.53\nunit=mm\nspacing=2.5\n");
+  const VolumeSource source = only_source(folder.path(), folder.path());
+  EXPECT_EQ(source.geometry.spacing_mm, glm::dvec3(0.5, 0.25, 2.5));
+  EXPECT_TRUE(source.description.warnings.empty());
+}
+
+TEST(ImageStack, TakesSpacingFromAPngsResolution) {
+  TemporaryFolder folder;
+  OIIO::ImageSpec spec = spec_of<std::uint8_t>(1);
+  spec.attribute("XResolution", 2000.0F);
+  spec.attribute("YResolution", 2000.0F);
+  spec.attribute("ResolutionUnit", "m");
+  write_stack<std::uint8_t>(folder.path(), "s{}.png", 3, spec);
+  EXPECT_NEAR(only_source(folder.path(), folder.path()).geometry.spacing_mm.x, 0.5, 1e-6);
+}
+
+constexpr const char* kSidecar =
+    R"({"title": "A head", "modality": "CT", "spacing_mm": [1, 2, 3], "origin_lps_mm": [4, 5, 6],
+  "direction_lps": [1, 0, 0, 0, 0, 1, 0, 1, 0], "rescale": {"slope": 2, "intercept": -1024}, "units": "HU"})";
+
+TEST(ImageStack, BelievesItsSidecarAlsoOnALeftHandedGrid) {
+  TemporaryFolder folder;
+  write_stack<std::uint16_t>(folder.path(), "s{}.tif", 3, spec_of<std::uint16_t>(1));
+  write_file(folder / "volume.json", kSidecar);
+  const Volume volume = read_only_volume(folder.path());
+  EXPECT_EQ(volume.description.title, "A head");
+  EXPECT_EQ(volume.description.units, "HU");
+  EXPECT_EQ(volume.geometry.spacing_mm, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(volume.geometry.origin_patient_mm, glm::dvec3(4, 5, 6));
+  EXPECT_EQ(volume.geometry.direction_patient, glm::dmat3(1, 0, 0, 0, 0, 1, 0, 1, 0));
+  EXPECT_EQ(value_at(volume, {1, 0, 0}), 2 * 1 - 1024);
+  EXPECT_TRUE(volume.description.warnings.empty());
+}
+
+TEST(ImageStack, ABrokenSidecarIsNamed) {
+  const std::pair<std::string, const char*> broken[]{
+      {"{", "JSON object"},
+      {R"({"spacing_mm": [1, 2]})", "spacing_mm"},
+      {R"({"spacing_mm": [1, 0, 2]})", "spacing_mm"},
+      {R"({"spacing_mm": [1, -1, 2]})", "spacing_mm"},
+      {R"({"direction_lps": [2, 0, 0, 0, 1, 0, 0, 0, 1]})", "direction_lps"},
+      {R"({"direction_lps": [1, 1, 0, 0, 0, 0, 0, 0, 1]})", "right angles"},
+      {R"({"rescale": {"slope": 0}})", "slope"},
+      {R"({"units": "miles"})", "units"},
+      {R"({"title": 7})", "title"}};
+  for (const auto& [text, reason] : broken) {
+    TemporaryFolder folder;
+    write_stack<std::uint8_t>(folder.path(), "s{}.tif", 2, spec_of<std::uint8_t>(1));
+    write_file(folder / "volume.json", text);
+    const std::string refusal = only_refusal(folder.path());
+    EXPECT_NE(refusal.find(reason), std::string::npos) << text << ": " << refusal;
+  }
+}
+
+TEST(ImageStack, ReducesColourAndSaysSo) {
+  TemporaryFolder folder;
+  for (int k = 0; k < 2; ++k) {
+    write_picture(folder / fmt::format("s{}.png", k), spec_of<std::uint8_t>(3),
+                  std::vector<std::uint8_t>(60, 100));
+  }
+  const Volume volume = read_only_volume(folder.path());
+  EXPECT_EQ(value_at(volume, {0, 0, 0}), 100);
+  EXPECT_TRUE(has_warning(volume.description, "luminance"));
+}
+
+TEST(ImageStack, OneBrokenPictureRefusesItsStackByName) {
+  for (const char* pattern : {"s{}.tif", "s{}.png"}) {
+    TemporaryFolder folder;
+    write_stack<std::uint16_t>(folder.path(), pattern, 4, spec_of<std::uint16_t>(1));
+    const fs::path third = folder / fmt::format(fmt::runtime(pattern), 3);
+    write_file(third, read_file(third).substr(0, 6));
+    const Listing listing = scan(folder.path());
+    EXPECT_TRUE(listing.volumes.empty());
+    ASSERT_EQ(listing.refused.size(), 1U);
+    EXPECT_EQ(listing.refused[0].path, third);
+    EXPECT_NE(listing.refused[0].reason.find("stack of 4 pictures"), std::string::npos);
+  }
+}
+
+TEST(ImageStack, CutOffPixelsFailWithTheName) {
+  TemporaryFolder folder;
+  write_stack<std::uint16_t>(folder.path(), "s{}.png", 3, spec_of<std::uint16_t>(1));
+  const std::string whole = read_file(folder / "s2.png");
+  const std::size_t data = whole.find("IDAT");
+  ASSERT_NE(data, std::string::npos);
+  write_file(folder / "s2.png", whole.substr(0, data + 10));
+  const Listing listing = scan(folder.path());
+  if (listing.volumes.empty()) return;  // seen at once is as good
+  EXPECT_NE(read_failure(listing.volumes[0]).find("s2.png"), std::string::npos);
+}
+
+TEST(ImageStack, PicturesOfOtherSizesAreRefused) {
+  TemporaryFolder folder;
+  write_stack<std::uint8_t>(folder.path(), "s{}.png", 3, spec_of<std::uint8_t>(1));
+  OIIO::ImageSpec other(7, 4, 1, OIIO::TypeDesc::UINT8);
+  write_picture(folder / "s4.png", other, std::vector<std::uint8_t>(28, 1));
+  EXPECT_NE(only_refusal(folder.path()).find("differs from the first"), std::string::npos);
+}
+
+TEST(ImageStack, ALonePictureIsNoVolume) {
+  TemporaryFolder folder;
+  write_picture(folder / "photo.png", spec_of<std::uint8_t>(1), page<std::uint8_t>(0));
+  EXPECT_NE(only_refusal(folder.path()).find("single slice"), std::string::npos);
+}
+
+TEST(ImageStack, TheByteLimitHoldsBeforeDecoding) {
+  TemporaryFolder folder;
+  write_stack<std::uint16_t>(folder.path(), "s{}.tif", 4, spec_of<std::uint16_t>(1));
+  const Listing listing = scan_volumes(folder.path(), folder.path(), {.volume_bytes = 159}, {});
+  ASSERT_EQ(listing.refused.size(), 1U);
+  EXPECT_NE(listing.refused[0].reason.find("too large"), std::string::npos);
+  EXPECT_EQ(scan_volumes(folder.path(), folder.path(), {.volume_bytes = 160}, {}).volumes.size(),
+            1U);
+}
+
+TEST(NaturalOrder, ComparesNumbersAsNumbers) {
+  const reading::NaturalOrder before;
+  EXPECT_TRUE(before("slice2", "slice10"));
+  EXPECT_FALSE(before("slice10", "slice2"));
+  EXPECT_TRUE(before("a1b2", "a1b10"));
+  EXPECT_TRUE(before("1", "01"));
+  EXPECT_TRUE(before("99999999999999999998", "99999999999999999999"));
+  EXPECT_FALSE(before("x", "x"));
+}
+
+TEST(NaturalOrder, TheLastVaryingNumberCountsTheSlices) {
+  using Names = std::vector<std::vector<std::string>>;
+  EXPECT_EQ(reading::stacks_of_names({"b10.png", "b9.png", "a1.png"}),
+            (Names{{"a1.png"}, {"b9.png", "b10.png"}}));
+  EXPECT_EQ(reading::stacks_of_names({"s1_2.png", "s1_1.png", "s2_1.png", "s2_2.png"}),
+            (Names{{"s1_1.png", "s1_2.png"}, {"s2_1.png", "s2_2.png"}}));
+  EXPECT_EQ(reading::stacks_of_names({"2_of_3.png", "1_of_3.png"}),
+            (Names{{"1_of_3.png", "2_of_3.png"}}));
+}
+
+}  // namespace
+}  // namespace cutaway::test

@@ -1,0 +1,268 @@
+// Headers are written here from the format's definition, so that the reader is checked against
+// that.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "unit/import/import_test_support.h"
+
+namespace cutaway::test {
+namespace {
+
+constexpr glm::ivec3 kSize(4, 3, 5);
+const glm::dmat3 kSteps(0, 1.5, 0, 0, 0, -2, 2.5, 0,
+                        0);  // LPS: i to posterior, j down, k to the left
+const glm::dvec3 kOrigin(-10, 20, 35.5);
+
+std::string vector_text(glm::dvec3 v) { return fmt::format("({},{},{})", v.x, v.y, v.z); }
+
+/// A ramp in short, in the given space; `flip` takes LPS to it.
+std::string header(const std::string& space, glm::dvec3 flip, const std::string& encoding,
+                   const std::string& rest = "") {
+  return "NRRD0005\n# by hand\ntype: short\ndimension: 3\nspace: " + space +
+         "\nsizes: 4 3 5\nspace directions: " + vector_text(kSteps[0] * flip) + " " +
+         vector_text(kSteps[1] * flip) + " " + vector_text(kSteps[2] * flip) +
+         "\nspace origin: " + vector_text(kOrigin * flip) +
+         "\nkinds: domain domain domain\nendian: little\nencoding: " + encoding + "\n" + rest +
+         "key:=a value\n";
+}
+
+std::vector<std::int16_t> ramp() {
+  const auto values = ramp_values(kSize, kSteps, kOrigin);
+  return {values.begin(), values.end()};
+}
+
+std::string ramp_bytes(bool big_endian = false) { return bytes_of_numbers(ramp(), big_endian); }
+
+std::string text_of_ramp() {
+  std::string text;
+  for (const auto value : ramp())
+    text += std::to_string(value) + (text.size() % 7 == 0 ? "\n" : " ");
+  return text;
+}
+
+std::string hex_of(const std::string& bytes) {
+  std::string text;
+  for (const char c : bytes)
+    text +=
+        fmt::format("{:02x}{}", static_cast<unsigned char>(c), text.size() % 35 == 0 ? "\n" : "");
+  return text;
+}
+
+void expect_ramp_of(const std::filesystem::path& path) {
+  const Volume volume = read_only_volume(path);
+  EXPECT_EQ(volume.geometry.size_voxels, kSize);
+  EXPECT_NEAR(volume.geometry.spacing_mm.x, 1.5, 1e-9);
+  EXPECT_NEAR(volume.geometry.spacing_mm.y, 2, 1e-9);
+  EXPECT_NEAR(volume.geometry.spacing_mm.z, 2.5, 1e-9);
+  EXPECT_TRUE(volume.description.warnings.empty());
+  expect_ramp(volume, 1.0);
+}
+
+TEST(Nrrd, TakesEachPatientSpaceToLps) {
+  const std::pair<const char*, glm::dvec3> spaces[]{{"left-posterior-superior", {1, 1, 1}},
+                                                    {"LPS", {1, 1, 1}},
+                                                    {"right-anterior-superior", {-1, -1, 1}},
+                                                    {"RAS", {-1, -1, 1}},
+                                                    {"left-anterior-superior", {1, -1, 1}}};
+  for (const auto& [name, flip] : spaces) {
+    TemporaryFolder folder;
+    write_file(folder / "a.nrrd", header(name, flip, "raw") + "\n" + ramp_bytes());
+    expect_ramp_of(folder.path());
+  }
+}
+
+TEST(Nrrd, ReadsEveryEncoding) {
+  const std::pair<const char*, std::string> encodings[]{
+      {"raw", ramp_bytes()},     {"gzip", gzip(ramp_bytes())}, {"gz", gzip(ramp_bytes())},
+      {"ascii", text_of_ramp()}, {"txt", text_of_ramp()},      {"hex", hex_of(ramp_bytes())}};
+  for (const auto& [name, data] : encodings) {
+    TemporaryFolder folder;
+    write_file(folder / "a.nrrd", header("LPS", {1, 1, 1}, name) + "\n" + data);
+    expect_ramp_of(folder.path());
+  }
+}
+
+TEST(Nrrd, ReadsBigEndianAndCarriageReturns) {
+  std::string text = header("LPS", {1, 1, 1}, "raw");
+  text.replace(text.find("endian: little"), 14, "endian: big");
+  std::string with_returns;
+  for (const char c : text) with_returns += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  TemporaryFolder folder;
+  write_file(folder / "a.nrrd", with_returns + "\r\n" + ramp_bytes(true));
+  expect_ramp_of(folder.path());
+}
+
+TEST(Nrrd, ReadsDetachedData) {
+  const auto detached = [](const std::string& rest, const std::string& encoding = "raw") {
+    return header("LPS", {1, 1, 1}, encoding, rest);
+  };
+  TemporaryFolder folder;
+  write_file(folder / "data/a.raw", ramp_bytes());
+  write_file(folder / "a.nhdr", detached("data file: data/a.raw\n"));
+  expect_ramp_of(folder / "a.nhdr");
+  write_file(folder / "data/skipped.raw", "two\nlines\nxyz" + ramp_bytes());
+  write_file(folder / "b.nhdr",
+             detached("line skip: 2\nbyte skip: 3\ndatafile: data/skipped.raw\n"));
+  expect_ramp_of(folder / "b.nhdr");
+  write_file(folder / "c.nhdr", detached("byte skip: -1\ndata file: ./data/skipped.raw\n"));
+  expect_ramp_of(folder / "c.nhdr");
+  write_file(folder / "data/a.raw.gz", gzip("123" + ramp_bytes()));
+  write_file(folder / "d.nhdr", detached("byte skip: 3\ndata file: data/a.raw.gz\n", "gzip"));
+  expect_ramp_of(folder / "d.nhdr");
+}
+
+TEST(Nrrd, ReadsSlicesInFilesOfTheirOwn) {
+  TemporaryFolder folder;
+  std::string list;
+  for (int k = 0; k < 5; ++k) {
+    const std::string name = fmt::format("s{:03d}.raw", k + 8);
+    write_file(folder / name, ramp_bytes().substr(static_cast<std::size_t>(k) * 24, 24));
+    list += name + "\n";
+  }
+  write_file(folder / "list.nhdr", header("LPS", {1, 1, 1}, "raw") + "data file: LIST\n" + list);
+  write_file(folder / "pattern.nhdr",
+             header("LPS", {1, 1, 1}, "raw", "data file: s%03d.raw 8 12 1\n"));
+  expect_ramp_of(folder / "list.nhdr");
+  expect_ramp_of(folder / "pattern.nhdr");
+}
+
+TEST(Nrrd, WithoutSpaceWarnsOfIt) {
+  TemporaryFolder folder;
+  write_file(folder / "a.nrrd",
+             "NRRD0001\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n\n12345678");
+  const Volume volume = read_only_volume(folder.path());
+  EXPECT_TRUE(has_warning(volume.description, "no physical geometry"));
+  EXPECT_TRUE(has_warning(volume.description, "spacing as 1 mm"));
+  EXPECT_EQ(volume.geometry.spacing_mm, glm::dvec3(1.0));
+  EXPECT_EQ(value_at(volume, {1, 1, 1}), '8');
+}
+
+TEST(Nrrd, TakesSpacingsWithoutSpace) {
+  TemporaryFolder folder;
+  write_file(folder / "a.nrrd",
+             "NRRD0001\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nspacings: 2 NaN 4\nencoding: "
+             "raw\n\n12345678");
+  const VolumeSource source = only_source(folder.path(), folder.path());
+  EXPECT_EQ(source.geometry.spacing_mm, glm::dvec3(2, 1, 4));
+  EXPECT_TRUE(has_warning(source.description, "no physical geometry"));
+}
+
+TEST(Nrrd, ReducesChannelsAndTimesAndSaysSo) {
+  TemporaryFolder folder;
+  std::string pixels;
+  for (int i = 0; i < 8; ++i) pixels += std::string{static_cast<char>(i), 99, 99};
+  write_file(folder / "vector.nrrd",
+             "NRRD0004\ntype: uchar\ndimension: 4\nspace: LPS\nsizes: 3 2 2 2\nspace directions: "
+             "none (1,0,0) (0,1,0) (0,0,1)\n"
+             "kinds: vector domain domain domain\nencoding: raw\n\n" +
+                 pixels);
+  const Volume vector = read_only_volume(folder / "vector.nrrd");
+  EXPECT_EQ(vector.value_range, (ValueRange{0, 7}));
+  EXPECT_TRUE(has_warning(vector.description, "each voxel has 3 values"));
+  write_file(folder / "times.nrrd",
+             "NRRD0004\ntype: uchar\ndimension: 4\nspace: LPS\nsizes: 2 2 2 2\nspace directions: "
+             "(1,0,0) (0,1,0) (0,0,1) none\n"
+             "kinds: domain domain domain time\nencoding: raw\n\n\1\2\3\4\5\6\7\10zzzzzzzz");
+  const Volume times = read_only_volume(folder / "times.nrrd");
+  EXPECT_EQ(times.value_range, (ValueRange{1, 8}));
+  EXPECT_TRUE(has_warning(times.description, "2 volumes"));
+  write_file(folder / "colour.nrrd",
+             "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 3 2 2 2\nkinds: RGB-color domain domain "
+             "domain\nencoding: raw\n\n" +
+                 std::string(24, '\x64'));
+  const Volume colour = read_only_volume(folder / "colour.nrrd");
+  EXPECT_EQ(value_at(colour, {0, 0, 0}), 100);
+  EXPECT_TRUE(has_warning(colour.description, "luminance"));
+}
+
+struct Broken {
+  const char* name;
+  const char* from;
+  const char* to;
+  const char* reason;
+};
+
+class BrokenNrrd : public testing::TestWithParam<Broken> {};
+
+TEST_P(BrokenNrrd, IsListedWithItsReason) {
+  std::string bytes = header("LPS", {1, 1, 1}, "raw") + "\n" + ramp_bytes();
+  const std::size_t at = bytes.find(GetParam().from);
+  ASSERT_NE(at, std::string::npos);
+  bytes.replace(at, std::string(GetParam().from).size(), GetParam().to);
+  TemporaryFolder folder;
+  write_file(folder / "broken.nrrd", bytes);
+  const std::string reason = only_refusal(folder.path());
+  EXPECT_NE(reason.find(GetParam().reason), std::string::npos) << reason;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Headers, BrokenNrrd,
+    testing::Values(
+        Broken{"magic", "NRRD0005", "NARD0005", "NRRD000n"},
+        Broken{"bomb", "sizes: 4 3 5", "sizes: 32000 32000 32000", "59.6 TiB"},
+        Broken{"overflow", "sizes: 4 3 5", "sizes: 9223372036854775807 9223372036854775807 9",
+               "too large"},
+        Broken{"short_file", "sizes: 4 3 5", "sizes: 4 3 50", "shorter than its header says"},
+        Broken{"negative_size", "sizes: 4 3 5", "sizes: 4 -3 5", "empty grid"},
+        Broken{"few_sizes", "sizes: 4 3 5", "sizes: 4 3", "dimension and sizes"},
+        Broken{"block_type", "type: short", "type: block", "number type"},
+        Broken{"bzip2", "encoding: raw", "encoding: bzip2", "encoding"},
+        Broken{"no_endian", "endian: little", "content: x", "byte order"},
+        Broken{"nan_direction", "(0,1.5,0)", "(0,nan,0)", "finite"},
+        Broken{"zero_direction", "(0,1.5,0)", "(0,0,0)", "spacing is not usable"},
+        Broken{"not_at_right_angles", "(0,1.5,0)", "(0,1.5,1)", "right angles"},
+        Broken{"negative_spacing", "key:=a value", "spacings: 1 -1 1", "got -1"},
+        Broken{"zero_spacing", "key:=a value", "spacings: 1 0 1", "above 0"},
+        Broken{"no_field", "key:=a value", "what is this", "no field"},
+        Broken{"absolute_path", "key:=a value", "data file: /etc/passwd",
+               "outside of the data folder"},
+        Broken{"parent_path", "key:=a value", "data file: ../../../etc/passwd",
+               "outside of the data folder"},
+        Broken{"absent_data", "key:=a value", "data file: nothing.raw", "not there"},
+        Broken{"string_pattern", "key:=a value", "data file: %s%n 1 2 1", "pattern"},
+        Broken{"endless_pattern", "key:=a value", "data file: s%d.raw 1 2000000000 1", "pattern"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(Nrrd, DataBehindALinkThatLeadsOutIsRefused) {
+  TemporaryFolder folder;
+  TemporaryFolder elsewhere;
+  write_file(elsewhere / "secret.raw", ramp_bytes());
+  std::filesystem::create_symlink(elsewhere / "secret.raw", folder / "inside.raw");
+  std::filesystem::create_directory_symlink(elsewhere.path(), folder / "linked");
+  for (const char* name : {"inside.raw", "linked/secret.raw"}) {
+    write_file(folder / "a.nhdr",
+               header("LPS", {1, 1, 1}, "raw", std::string("data file: ") + name + "\n"));
+    const Listing listing = scan(folder / "a.nhdr");
+    ASSERT_EQ(listing.refused.size(), 1U);
+    EXPECT_NE(listing.refused[0].reason.find("outside of the data folder"), std::string::npos);
+  }
+}
+
+TEST(Nrrd, AHeaderThatChangesAfterTheScanCannotLeadOut) {
+  TemporaryFolder folder;
+  TemporaryFolder elsewhere;
+  write_file(folder / "a.raw", ramp_bytes());
+  write_file(elsewhere / "secret.raw", ramp_bytes());
+  write_file(folder / "a.nhdr", header("LPS", {1, 1, 1}, "raw", "data file: a.raw\n"));
+  const VolumeSource source = only_source(folder.path(), folder.path());
+  write_file(folder / "a.nhdr", header("LPS", {1, 1, 1}, "raw",
+                                       "data file: " + (elsewhere / "secret.raw").string() + "\n"));
+  EXPECT_NE(read_failure(source).find("outside of the data folder"), std::string::npos);
+}
+
+TEST(Nrrd, BrokenDataFailWithWords) {
+  TemporaryFolder folder;
+  const std::pair<const char*, std::string> broken[]{
+      {"gzip", gzip(ramp_bytes()).substr(0, 40)},
+      {"ascii", "1 2 3 x 5 " + std::string(120, '7')},
+      {"ascii", "1 2 3 99999 5 " + text_of_ramp()},
+      {"ascii", "1 2 3 4 5 " + std::string(120, ' ')},
+      {"hex", std::string(240, 'g')}};
+  for (const auto& [encoding, data] : broken) {
+    write_file(folder / "a.nrrd", header("LPS", {1, 1, 1}, encoding) + "\n" + data);
+    EXPECT_FALSE(read_failure(only_source(folder.path(), folder.path())).empty()) << encoding;
+  }
+}
+
+}  // namespace
+}  // namespace cutaway::test
