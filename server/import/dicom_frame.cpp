@@ -188,9 +188,9 @@ std::vector<DicomFrame> read_dicom_frames(const fs::path& file) {
       refuse(file, "the DICOM header is broken or cut off");
     }
     return frames_of(file, reader.GetFile());
-  } catch (const std::ios_base::failure&) {
-    refuse(file, "the DICOM header is broken or cut off");
-  } catch (const gdcm::Exception& error) {
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {  // GDCM's own, of streams, of memory
     refuse(file, "the DICOM header is broken", {}, printable(error.what()));
   }
 }

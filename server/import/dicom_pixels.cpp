@@ -95,10 +95,10 @@ DicomPixels::DicomPixels(const DicomFrame& any_frame_of_file, std::size_t frames
       refuse(file_, "the pixel data are broken or cut off",
              bytes_in_words(static_cast<double>(needed)));
     }
-  } catch (const gdcm::Exception& error) {
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {  // GDCM's own, of streams, of memory
     refuse(file_, "the pixel data are broken", {}, printable(error.what()));
-  } catch (const std::ios_base::failure&) {
-    refuse(file_, "the pixel data are broken or cut off");
   }
   const int bits = static_cast<int>(component_bytes(component_)) * 8;
   if (bits_stored_ < 1 || bits_stored_ > bits || high_bit_ >= bits ||

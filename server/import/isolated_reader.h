@@ -9,7 +9,8 @@
 namespace cutaway {
 
 struct IsolatedReader {
-  std::filesystem::path executable;  ///< one that answers by run_import_worker()
+  /// One that answers by run_import_worker(); by default the program that is running.
+  std::filesystem::path executable = "/proc/self/exe";
   std::vector<std::string> arguments{"read-volume-worker"};  ///< that make it do so
   std::uint64_t memory_bytes =
       0;  ///< address space of the child; 0: what a volume of that size needs, generously
