@@ -18,8 +18,6 @@
 #include "core/progress.h"
 #include "import/worker_protocol.h"
 
-extern char** environ;
-
 namespace cutaway::reading {
 
 namespace {
@@ -104,6 +102,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const Descri
   actions.give(output_end, kVoxelDescriptor);
   actions.close_from(kVoxelDescriptor + 1);
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const auto& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   const int error =

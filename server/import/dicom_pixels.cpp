@@ -47,7 +47,7 @@ void convert(const char* bytes, int bits_stored, int high_bit, const DicomFrame&
   for (std::size_t i = 0; i < output.size(); ++i) {
     const From value = stored_value<From>(bytes + i * sizeof(From), bits_stored, high_bit);
     if constexpr (std::is_integral_v<To>) {
-      output[i] = static_cast<To>(value);
+      output[i] = static_cast<To>(value);  // NOLINT(bugprone-signed-char-misuse): numbers, no text
     } else {
       output[i] = static_cast<To>(static_cast<double>(value) * frame.slope + frame.intercept);
     }

@@ -81,6 +81,7 @@ std::vector<DicomGroup> split_by_key(const DicomGroup& group, PlaneKey key) {
   }
   if (by_value.size() < 2) return {group};
   std::vector<DicomGroup> parts;
+  parts.reserve(by_value.size());
   for (auto& [value, frames] : by_value) {
     parts.push_back(part_of(group, std::move(frames), std::string(name_of(key)),
                             value.empty() ? "none" : value));

@@ -107,25 +107,16 @@ Component component_of(const fs::path& file, const MetaFields& fields) {
   refuse(file, "this number type is not read", "MET_CHAR to MET_DOUBLE", printable(type));
 }
 
-std::vector<fs::path> data_files(const fs::path& file, const TextHeader& text,
-                                 const fs::path& root) {
-  const std::string named = text.find("ElementDataFile").value_or("");
-  if (lower_case(named) == "local") return {file};
-  const std::vector<std::string> names =
-      named.starts_with("LIST") ? text.further_lines : expand_file_pattern(file, named);
-  std::vector<fs::path> paths;
-  for (const auto& name : names) paths.push_back(companion_file(file, name, root));
-  if (paths.empty()) refuse(file, "the header names no data file");
-  return paths;
-}
-
 void set_data(GridFile& grid, const TextHeader& text, const MetaFields& fields,
               const fs::path& root) {
   VoxelData& data = grid.data;
   data.component = component_of(grid.header, fields);
   grid.channels = static_cast<std::size_t>(fields.integer("ElementNumberOfChannels", 1, 1, 4096));
-  data.files = data_files(grid.header, text, root);
-  data.begin = data.files.front() == grid.header ? text.bytes : 0;
+  const std::string named = fields.word("ElementDataFile");
+  const bool attached = lower_case(named) == "local";
+  data.files =
+      attached ? std::vector{grid.header} : named_data_files(grid.header, named, text, root);
+  data.begin = attached ? text.bytes : 0;
   const std::int64_t skip = fields.integer("HeaderSize", 0, -1, std::int64_t{1} << 40);
   data.at_end_of_file = skip < 0;
   if (skip > 0) data.begin += static_cast<std::uint64_t>(skip);

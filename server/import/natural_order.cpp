@@ -28,7 +28,7 @@ std::string_view without_zeros(std::string_view digits) {
 std::strong_ordering compare_numbers(std::string_view a, std::string_view b) {
   const std::string_view short_a = without_zeros(a);
   const std::string_view short_b = without_zeros(b);
-  if (const auto order = short_a.size() <=> short_b.size(); order != 0) return order;
+  if (const auto order = short_a.size() <=> short_b.size(); std::is_neq(order)) return order;
   return short_a <=> short_b;
 }
 
@@ -74,7 +74,7 @@ bool NaturalOrder::operator()(std::string_view a, std::string_view b) const {
     const std::string_view run_b = take_run(b);
     const bool numbers = is_digit(run_a.front()) && is_digit(run_b.front());
     const auto order = numbers ? compare_numbers(run_a, run_b) : run_a <=> run_b;
-    if (order != 0) return order < 0;
+    if (std::is_neq(order)) return std::is_lt(order);
   }
   if (a.empty() != b.empty()) return a.empty();
   if (whole_a.size() != whole_b.size()) return whole_a.size() < whole_b.size();
@@ -98,6 +98,7 @@ std::vector<std::vector<std::string>> stacks_of_names(std::vector<std::string> n
     }
   }
   std::vector<std::vector<std::string>> result;
+  result.reserve(stacks.size());
   for (auto& [key, members] : stacks) result.push_back(std::move(members));
   return result;
 }

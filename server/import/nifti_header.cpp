@@ -145,7 +145,7 @@ NiftiAffine affine_of_qform(const std::filesystem::path& file, const NiftiHeader
 NiftiAffine affine_of_sform(const NiftiHeader& header) {
   NiftiAffine affine;
   for (int row = 0; row < 3; ++row) {
-    const double* values = header.sform.data() + 4 * row;
+    const double* values = header.sform.data() + std::ptrdiff_t{4} * row;
     for (int column = 0; column < 3; ++column) affine.steps_mm[column][row] = values[column];
     affine.origin_mm[row] = values[3];
   }

@@ -15,18 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<fs::path> data_files(const fs::path& file, const TextHeader& text,
-                                 const fs::path& root) {
-  const auto named = text.find("datafile");
-  if (!named) return {file};
-  const std::vector<std::string> names =
-      named->starts_with("LIST") ? text.further_lines : expand_file_pattern(file, *named);
-  std::vector<fs::path> paths;
-  for (const auto& name : names) paths.push_back(companion_file(file, name, root));
-  if (paths.empty()) refuse(file, "the header names no data file");
-  return paths;
-}
-
 std::int64_t whole_number(const fs::path& file, const TextHeader& text, const char* name) {
   const auto number = integer_of(text.find(name).value_or("0"));
   if (number && *number >= -1 && *number < std::int64_t{1} << 40) return *number;
@@ -50,9 +38,9 @@ void set_data(GridFile& grid, const TextHeader& text, const fs::path& root) {
   VoxelData& data = grid.data;
   data.component = nrrd_component(grid.header, text);
   data.encoding = nrrd_encoding(grid.header, text);
-  data.files = data_files(grid.header, text, root);
-  const bool attached = !text.find("datafile");
-  data.begin = begin_of_data(data.files.front(), attached ? text.bytes : 0,
+  const auto named = text.find("datafile");
+  data.files = named ? named_data_files(grid.header, *named, text, root) : std::vector{grid.header};
+  data.begin = begin_of_data(data.files.front(), named ? 0 : text.bytes,
                              whole_number(grid.header, text, "lineskip"));
   const std::int64_t skip = whole_number(grid.header, text, "byteskip");
   data.at_end_of_file = skip < 0;

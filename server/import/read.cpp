@@ -59,7 +59,7 @@ Volume read_volume(const VolumeSource& source, const ImportLimits& limits,
   const auto sink = [&](LoadStage stage, double fraction) { monotone.report(stage, fraction); };
   sink(LoadStage::read, 0.0);
   try {
-    Volume volume = finish_volume(read_raw(source, {limits, sink, stop}));
+    Volume volume = finish_volume(read_raw(source, {limits, sink, std::move(stop)}));
     sink(LoadStage::decode, 1.0);
     return volume;
   } catch (const Error& error) {

@@ -30,13 +30,18 @@ Tap tap_at(double position, int size) {
 }
 
 template <typename T>
+bool is_nan(T value) {
+  return std::isnan(static_cast<double>(value));
+}
+
+template <typename T>
 class SliceResampler {
  public:
   SliceResampler(const std::vector<T>& voxels, const SliceStack& stack, const GridPlan& plan)
       : voxels_(voxels), size_px_(stack.size_px), plan_(plan) {
-    const auto smallest = std::min_element(voxels.begin(), voxels.end(), [](T a, T b) {
-      return a < b || (a == a && b != b);  // NaN, which has no order, comes last
-    });
+    // NaN, which has no order, comes last.
+    const auto smallest = std::min_element(
+        voxels.begin(), voxels.end(), [](T a, T b) { return a < b || (!is_nan(a) && is_nan(b)); });
     outside_ = *smallest;
   }
 

@@ -56,6 +56,31 @@ std::string with_number(std::string_view pattern, const Conversion& place, std::
          std::string(pattern.substr(place.end));
 }
 
+/// "slice%03d.raw 1 99 1" to its names; one name alone to itself. Of conversions only one of an
+/// integer is taken.
+std::vector<std::string> expand_file_pattern(const std::filesystem::path& file,
+                                             std::string_view text) {
+  if (text.find('%') == std::string_view::npos) return {std::string(text)};
+  const std::vector<std::string> words = words_of(text);
+  const auto place = find_conversion(words.empty() ? std::string_view() : words.front());
+  const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : std::string(); };
+  const std::int64_t first = integer_of(word(1)).value_or(-1);
+  const std::int64_t last = integer_of(word(2)).value_or(-1);
+  const std::int64_t step = words.size() > 3 ? integer_of(words[3]).value_or(0) : 1;
+  const bool usable = place && step > 0 && first >= 0 && last >= first &&
+                      last < std::numeric_limits<std::int32_t>::max() &&
+                      (last - first) / step < kLargestFileCount;
+  if (!usable) {
+    refuse(file, "the pattern of data file names is not usable", "name%03d.raw first last step",
+           printable(text));
+  }
+  std::vector<std::string> names;
+  for (std::int64_t number = first; number <= last; number += step) {
+    names.push_back(with_number(words.front(), *place, number));
+  }
+  return names;
+}
+
 }  // namespace
 
 std::optional<std::string> TextHeader::find(std::string_view name) const {
@@ -104,27 +129,17 @@ std::optional<std::int64_t> integer_of(std::string_view text) {
   return value;
 }
 
-std::vector<std::string> expand_file_pattern(const std::filesystem::path& file,
-                                             std::string_view text) {
-  if (text.find('%') == std::string_view::npos) return {std::string(text)};
-  const std::vector<std::string> words = words_of(text);
-  const auto place = find_conversion(words.empty() ? std::string_view() : words.front());
-  const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : std::string(); };
-  const std::int64_t first = integer_of(word(1)).value_or(-1);
-  const std::int64_t last = integer_of(word(2)).value_or(-1);
-  const std::int64_t step = words.size() > 3 ? integer_of(words[3]).value_or(0) : 1;
-  const bool usable = place && step > 0 && first >= 0 && last >= first &&
-                      last < std::numeric_limits<std::int32_t>::max() &&
-                      (last - first) / step < kLargestFileCount;
-  if (!usable) {
-    refuse(file, "the pattern of data file names is not usable", "name%03d.raw first last step",
-           printable(text));
-  }
-  std::vector<std::string> names;
-  for (std::int64_t number = first; number <= last; number += step) {
-    names.push_back(with_number(words.front(), *place, number));
-  }
-  return names;
+std::vector<std::filesystem::path> named_data_files(const std::filesystem::path& header,
+                                                    const std::string& named,
+                                                    const TextHeader& text,
+                                                    const std::filesystem::path& root) {
+  const std::vector<std::string> names =
+      named.starts_with("LIST") ? text.further_lines : expand_file_pattern(header, named);
+  if (names.empty()) refuse(header, "the header names no data file");
+  std::vector<std::filesystem::path> paths;
+  paths.reserve(names.size());
+  for (const auto& name : names) paths.push_back(companion_file(header, name, root));
+  return paths;
 }
 
 }  // namespace cutaway::reading

@@ -40,9 +40,12 @@ std::vector<std::string> words_of(std::string_view text);
 std::vector<double> numbers_of(std::string_view text);
 std::optional<std::int64_t> integer_of(std::string_view text);
 
-/// "slice%03d.raw 1 99 1" to its names; one name alone to itself. Throws Error naming `file` for
-/// any conversion other than one of an integer.
-std::vector<std::string> expand_file_pattern(const std::filesystem::path& file,
-                                             std::string_view text);
+/// The data files of a header, canonical: `named` is the value of its field, a name, a pattern, or
+/// LIST with the names in further lines. Throws Error naming the header where one is not there or
+/// outside of `root`.
+std::vector<std::filesystem::path> named_data_files(const std::filesystem::path& header,
+                                                    const std::string& named,
+                                                    const TextHeader& text,
+                                                    const std::filesystem::path& root);
 
 }  // namespace cutaway::reading
