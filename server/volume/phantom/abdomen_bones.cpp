@@ -91,6 +91,7 @@ ShapePtr discs() {
 
 ShapePtr ribs() {
   std::vector<ShapePtr> parts;
+  parts.reserve(kRibs.size());
   for (const Rib& rib : kRibs) parts.push_back(rib_shape(rib));
   return join(0,
               {both_sides(join(0, std::move(parts))),

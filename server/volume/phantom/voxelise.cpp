@@ -10,8 +10,11 @@ namespace cutaway::phantom {
 
 namespace {
 
-constexpr int kBlock = 8;                 ///< voxels an edge
-constexpr int kSuperblock = 32;           ///< what one turn of the parallel loop fills
+// Edges of blocks, in voxels.
+constexpr int kTurn = 32;       ///< what one turn of the parallel loop fills
+constexpr int kNoiseBlock = 8;  ///< what shares one computation of noise
+constexpr int kPaintBlock = 4;  ///< what shares one selection of shapes
+
 constexpr float kScannerNoiseHu = 10.0f;  ///< standard deviation
 constexpr std::uint32_t kScannerSeed = 4711;
 
@@ -19,11 +22,12 @@ constexpr std::uint32_t kScannerSeed = 4711;
 /// left at the finest frequency. The hash of the voxel's place makes it independent of the block.
 class ScannerNoise {
  public:
-  explicit ScannerNoise(glm::ivec3 first_voxel) {
+  explicit ScannerNoise(glm::ivec3 first_voxel) : first_voxel_(first_voxel) {
     std::size_t at = 0;
-    for (int k = -1; k <= kBlock; ++k) {
-      for (int j = -1; j <= kBlock; ++j) {
-        for (int i = -1; i <= kBlock; ++i) values_[at++] = white(first_voxel + glm::ivec3(i, j, k));
+    for (int k = -1; k <= kNoiseBlock; ++k) {
+      for (int j = -1; j <= kNoiseBlock; ++j) {
+        for (int i = -1; i <= kNoiseBlock; ++i)
+          values_[at++] = white(first_voxel + glm::ivec3(i, j, k));
       }
     }
     smooth(1);
@@ -31,10 +35,13 @@ class ScannerNoise {
     smooth(kEdge * kEdge);
   }
 
-  float at(int i, int j, int k) const { return values_[((k + 1) * kEdge + j + 1) * kEdge + i + 1]; }
+  float at(glm::ivec3 voxel) const {
+    const glm::ivec3 place = voxel - first_voxel_ + 1;
+    return values_[(place.z * kEdge + place.y) * kEdge + place.x];
+  }
 
  private:
-  static constexpr int kEdge = kBlock + 2;
+  static constexpr int kEdge = kNoiseBlock + 2;
   static constexpr int kCount = kEdge * kEdge * kEdge;
 
   /// The sum of two uniform numbers, scaled so that the smoothed noise has the wanted deviation:
@@ -52,6 +59,7 @@ class ScannerNoise {
     }
   }
 
+  glm::ivec3 first_voxel_;
   std::array<float, kCount> values_{};
 };
 
@@ -117,26 +125,17 @@ class Voxeliser {
   Voxeliser(const Layers& layers, const VolumeGeometry& geometry)
       : layers_(layers),
         size_(geometry.size_voxels),
-        superblocks_((size_ + kSuperblock - 1) / kSuperblock),
+        turns_((size_ + kTurn - 1) / kTurn),
         voxel_mm_(float(geometry.spacing_mm.x)),
         origin_mm_(geometry.origin_patient_mm),
         voxels_(std::size_t(size_.x) * size_.y * size_.z) {}
 
-  int superblock_count() const { return superblocks_.x * superblocks_.y * superblocks_.z; }
+  int turn_count() const { return turns_.x * turns_.y * turns_.z; }
 
-  void fill_superblock(int index) {
-    const glm::ivec3 place(index % superblocks_.x, index / superblocks_.x % superblocks_.y,
-                           index / (superblocks_.x * superblocks_.y));
-    const Block superblock = block_at(kSuperblock * place, kSuperblock);
-    const Layers near = layers_near(layers_, ball_about(superblock), voxel_mm_);
-    const glm::ivec3 blocks = (superblock.size + kBlock - 1) / kBlock;
-    for (int k = 0; k < blocks.z; ++k) {
-      for (int j = 0; j < blocks.y; ++j) {
-        for (int i = 0; i < blocks.x; ++i) {
-          fill(block_at(superblock.first + kBlock * glm::ivec3(i, j, k), kBlock), near);
-        }
-      }
-    }
+  void fill_turn(int index) {
+    const glm::ivec3 place(index % turns_.x, index / turns_.x % turns_.y,
+                           index / (turns_.x * turns_.y));
+    fill(block_at(kTurn * place, kTurn), kTurn, layers_);
   }
 
   std::vector<std::uint16_t> take() { return std::move(voxels_); }
@@ -151,18 +150,36 @@ class Voxeliser {
     return {position_mm(block.first) + half_mm, glm::length(half_mm)};
   }
 
-  void fill(const Block& block, const Layers& candidates) {
-    const Layers near = layers_near(candidates, ball_about(block), voxel_mm_);
-    const ScannerNoise noise(block.first);
-    for (int k = 0; k < block.size.z; ++k) {
-      for (int j = 0; j < block.size.y; ++j) {
-        std::uint16_t* row = voxels_.data() + offset(block.first + glm::ivec3(0, j, k));
-        for (int i = 0; i < block.size.x; ++i) {
-          const glm::vec3 p = position_mm(block.first + glm::ivec3(i, j, k));
-          row[i] = to_stored(paint(near, p, voxel_mm_) + noise.at(i, j, k));
+  template <typename Function>
+  void for_each_part(const Block& block, int edge, const Function& function) const {
+    const glm::ivec3 parts = (block.size + edge - 1) / edge;
+    for (int k = 0; k < parts.z; ++k) {
+      for (int j = 0; j < parts.y; ++j) {
+        for (int i = 0; i < parts.x; ++i) {
+          function(block_at(block.first + edge * glm::ivec3(i, j, k), edge));
         }
       }
     }
+  }
+
+  /// Halves the block, with ever fewer candidates, down to the blocks of noise.
+  void fill(const Block& block, int edge, const Layers& candidates) {
+    const Layers near = layers_near(candidates, ball_about(block), voxel_mm_);
+    if (edge > kNoiseBlock) {
+      for_each_part(block, edge / 2, [&](const Block& part) { fill(part, edge / 2, near); });
+      return;
+    }
+    const ScannerNoise noise(block.first);
+    for_each_part(block, kPaintBlock, [&](const Block& part) {
+      paint_block(part, layers_near(near, ball_about(part), voxel_mm_), noise);
+    });
+  }
+
+  void paint_block(const Block& block, const Layers& near, const ScannerNoise& noise) {
+    for_each_part(block, 1, [&](const Block& voxel) {
+      const float value_hu = paint(near, position_mm(voxel.first), voxel_mm_);
+      voxels_[offset(voxel.first)] = to_stored(value_hu + noise.at(voxel.first));
+    });
   }
 
   glm::vec3 position_mm(glm::ivec3 voxel) const {
@@ -174,7 +191,7 @@ class Voxeliser {
 
   const Layers& layers_;
   glm::ivec3 size_;
-  glm::ivec3 superblocks_;
+  glm::ivec3 turns_;
   float voxel_mm_;
   glm::vec3 origin_mm_;
   std::vector<std::uint16_t> voxels_;
@@ -185,8 +202,8 @@ class Voxeliser {
 std::vector<std::uint16_t> voxelise(const Layers& layers, const VoxeliseRequest& request,
                                     const std::stop_token& stop) {
   Voxeliser voxeliser(layers, request.geometry);
-  run_parallel({.count = voxeliser.superblock_count(),
-                .turn = [&](int index) { voxeliser.fill_superblock(index); },
+  run_parallel({.count = voxeliser.turn_count(),
+                .turn = [&](int index) { voxeliser.fill_turn(index); },
                 .progress = request.progress,
                 .threads = request.threads},
                stop);
