@@ -1,5 +1,6 @@
 #include "session/scene_state.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -13,6 +14,22 @@ constexpr std::array kVolumeDependent = {
     "/context/surface", "/lens/centre_mm",        "/lens/radius_mm"};
 
 constexpr Viewport kAnyViewport{1024, 768};
+
+// Does the complete document have a field that the other leaves open? Values that were only brought
+// into another form (an up direction made square to the view) do not count.
+bool says_more(const Json& complete, const Json& document) {
+  if (complete.is_object()) {
+    return std::ranges::any_of(complete.items(), [&document](const auto& field) {
+      const auto said = document.find(field.key());
+      return said == document.end() || says_more(field.value(), *said);
+    });
+  }
+  if (!complete.is_array()) return false;
+  for (std::size_t i = 0; i < complete.size(); ++i) {
+    if (i >= document.size() || says_more(complete[i], document[i])) return true;
+  }
+  return false;
+}
 
 // In a live session the document's viewport says nothing; the viewport message does.
 Json without_viewport(Json document) {
@@ -44,7 +61,7 @@ SceneState::Change SceneState::commit(Json document, Viewport viewport,
     auto scene = std::make_shared<const Scene>(resolve_scene(document, volume->facts(), viewport));
     Json complete = scene_document(*scene);
     change.picture = !scene_ || *scene != *scene_ || volume != volume_;
-    change.chosen = without_viewport(complete) != without_viewport(document);
+    change.chosen = says_more(without_viewport(complete), document);
     document = std::move(complete);
     if (change.picture) scene_ = std::move(scene);
   }

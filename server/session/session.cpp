@@ -197,8 +197,8 @@ void Session::opening_failed(const Error& error, const Pending& pending) {
 void Session::show_opened(std::shared_ptr<const OpenVolume> volume, const Pending& pending) {
   const SceneState::Change change = state_.set_volume(std::move(volume), pending.document);
   tell(loading_message(pending.volume, LoadEnd::ready));
-  took_effect(change, pending.stamp);
-  if (change.picture) tell_scene();
+  took_effect({.picture = change.picture, .chosen = false}, pending.stamp);
+  if (change.picture) tell_scene();  // whether or not anything was chosen
 }
 
 void Session::took_effect(SceneState::Change change, InputStamp stamp) {

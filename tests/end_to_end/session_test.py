@@ -220,8 +220,8 @@ class InteractionTest(ServedTest):
     def test_every_style_can_be_applied(self):
         client = self.showing()
         styles = client.texts[0]["styles"]
-        for style in styles:
-            client.scene(style["scene"])
+        for shade, style in enumerate(styles):
+            client.scene(style["scene"] | {"background": {"colour": [0, 0, 0.1 + 0.05 * shade]}})
             client.rest()
         self.assertFalse([text for text in client.texts if text["type"] == "error"])
 

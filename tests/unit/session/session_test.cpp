@@ -34,6 +34,7 @@ TEST_F(SessionTest, SendsNoFrameBeforeVolumeAndViewport) {
 TEST_F(SessionTest, ChoosesWhatTheSceneLeavesOpenAndSaysSo) {
   viewport(640, 480);
   open("ball");
+  ASSERT_EQ(client.of_type("scene").size(), 1);
   const Json message = client.last("scene");
   EXPECT_EQ(message["scene"]["context"]["surface"]["iso_value"], 100.0);
   EXPECT_EQ(message["scene"]["focus"]["surface"]["iso_value"], 150.0);
@@ -51,6 +52,14 @@ TEST_F(SessionTest, FramesCarryTheInputAndRevisionTheyShow) {
 TEST_F(SessionTest, DoesNotRepeatToTheClientWhatItSpeltOutItself) {
   show_ball();
   scene({{"focus", {{"surface", {{"iso_value", 120.0}}}}}});
+  strand->advance(Milliseconds(1000.0));
+  EXPECT_TRUE(client.of_type("scene").empty());
+}
+
+TEST_F(SessionTest, ACameraThatIsOnlyBroughtIntoFormIsNotRepeatedEither) {
+  show_ball();
+  scene({{"camera", {{"eye_mm", {300, -400, 100}}, {"up", {0, 0.1, 5}}}}});
+  scene({{"camera", {{"eye_mm", {310, -400, 100}}}}});
   strand->advance(Milliseconds(1000.0));
   EXPECT_TRUE(client.of_type("scene").empty());
 }
