@@ -24,14 +24,13 @@ void* thread_compressor() {
 }
 
 void check_sizes(const YcbcrPlanes& picture) {
-  const int divisor = picture.halved_chroma ? 2 : 1;
-  const auto chroma = static_cast<std::size_t>((picture.width_px + divisor - 1) / divisor) *
-                      static_cast<std::size_t>((picture.height_px + divisor - 1) / divisor);
-  check_equal(picture.planes[0].size(),
-              static_cast<std::size_t>(picture.width_px) * picture.height_px,
+  const int block_px = picture.halved_chroma ? 2 : 1;
+  const auto columns = static_cast<std::size_t>((picture.width_px + block_px - 1) / block_px);
+  const auto rows = static_cast<std::size_t>((picture.height_px + block_px - 1) / block_px);
+  check_equal(picture.planes[0].size(), columns * rows * block_px * block_px,
               "size of the luma plane");
-  check_equal(picture.planes[1].size(), chroma, "size of the Cb plane");
-  check_equal(picture.planes[2].size(), chroma, "size of the Cr plane");
+  check_equal(picture.planes[1].size(), columns * rows, "size of the Cb plane");
+  check_equal(picture.planes[2].size(), columns * rows, "size of the Cr plane");
 }
 
 }  // namespace

@@ -8,8 +8,10 @@
 
 namespace cutaway {
 
-/// Full-range YCbCr (ITU-T T.871), rows top first, tightly packed. Chroma planes are half the size,
-/// rounded up, where `halved_chroma` is set (4:2:0), else full size (4:4:4).
+/// Full-range YCbCr (ITU-T T.871), rows top first, tightly packed. With `halved_chroma` (4:2:0) the
+/// chroma planes are half the picture's size, rounded up, and the luma plane is twice theirs: the
+/// codec reads whole 2x2 blocks, so odd sides come padded. Else (4:4:4) all have the picture's
+/// size.
 struct YcbcrPlanes {
   int width_px = 0;
   int height_px = 0;

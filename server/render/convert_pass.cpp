@@ -26,7 +26,7 @@ std::vector<gl::PixelReadback::Source> readback_sources(PixelLayout layout,
     return {{&buffers.picture.framebuffer, buffers.picture_size_px(), 0, GL_RGBA, 4}};
   }
   const glm::ivec2 chroma_size_px = buffers.chroma_size_px(layout);
-  return {{&buffers.luma.framebuffer, buffers.picture_size_px(), 0, GL_RED, 1},
+  return {{&buffers.luma.framebuffer, buffers.luma_size_px(layout), 0, GL_RED, 1},
           {&buffers.chroma_target, chroma_size_px, 0, GL_RED, 1},
           {&buffers.chroma_target, chroma_size_px, 1, GL_RED, 1}};
 }

@@ -7,8 +7,9 @@
 
 namespace cutaway {
 
-/// yuv420 and yuv444: planes Y, Cb, Cr of full-range YCbCr (ITU-T T.871), chroma of 420 at half
-/// size rounded up. rgba: one plane, 4 bytes a pixel.
+/// yuv420 and yuv444: planes Y, Cb, Cr of full-range YCbCr (ITU-T T.871). Chroma of 420 is half the
+/// picture's size, rounded up, and its luma twice that: odd sides are padded by repeating the last
+/// column and row. rgba: one plane, 4 bytes a pixel.
 enum class PixelLayout { yuv420, yuv444, rgba };
 
 struct RenderSettings {

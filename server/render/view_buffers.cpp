@@ -33,6 +33,10 @@ glm::ivec2 ViewBuffers::chroma_size_px(PixelLayout layout) const {
   return layout == PixelLayout::yuv420 ? (picture_size_px_ + 1) / 2 : picture_size_px_;
 }
 
+glm::ivec2 ViewBuffers::luma_size_px(PixelLayout layout) const {
+  return layout == PixelLayout::yuv420 ? chroma_size_px(layout) * 2 : picture_size_px_;
+}
+
 ColourTarget& ViewBuffers::filtered(BranchIndex branch, std::size_t index) {
   auto& targets = branches[branch].filtered;
   while (targets.size() <= index) targets.push_back(colour_target(GL_RGBA16F, picture_size_px_));
@@ -40,8 +44,10 @@ ColourTarget& ViewBuffers::filtered(BranchIndex branch, std::size_t index) {
 }
 
 void ViewBuffers::prepare_planes(PixelLayout layout) {
-  if (layout == PixelLayout::rgba || cb.size_px() == chroma_size_px(layout)) return;
-  luma = colour_target(GL_R8, picture_size_px_);
+  if (layout == PixelLayout::rgba) return;
+  if (cb.size_px() == chroma_size_px(layout) && luma.texture.size_px() == luma_size_px(layout))
+    return;
+  luma = colour_target(GL_R8, luma_size_px(layout));
   cb = gl::Texture2D(GL_R8, chroma_size_px(layout), gl::Filtering::nearest);
   cr = gl::Texture2D(GL_R8, chroma_size_px(layout), gl::Filtering::nearest);
   chroma_target = gl::Framebuffer({&cb, &cr});

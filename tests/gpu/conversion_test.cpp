@@ -60,11 +60,13 @@ TEST_P(Layouts, ArePlanesOfT871) {
       EXPECT_NEAR(converted.planes[2][at], 128.0 + (rgb.r - luma) / 1.402, 1.01);
     }
   }
+  const int luma_width = chroma.x * block_px;
+  ASSERT_EQ(converted.planes[0].size(), static_cast<std::size_t>(luma_width) * chroma.y * block_px);
   for (int y = 0; y < size.height_px; ++y) {
     for (int x = 0; x < size.width_px; ++x) {
       const double luma =
           glm::dot(glm::dvec3(converted.picture.rgb({x, y})), glm::dvec3(0.299, 0.587, 0.114));
-      EXPECT_NEAR(converted.planes[0][static_cast<std::size_t>(y) * size.width_px + x], luma, 1.01);
+      EXPECT_NEAR(converted.planes[0][static_cast<std::size_t>(y) * luma_width + x], luma, 1.01);
     }
   }
 }
@@ -89,7 +91,9 @@ TEST(Conversion, TheCodecGivesThePictureBack) {
                             TJPF_RGBA, 0),
               0);
     tjDestroy(decoder);
-    EXPECT_LT(compare(decoded, converted.picture).mean, 4.0);
+    // Halved chroma bleeds over the hard edges of so small a picture.
+    const double allowed = layout == PixelLayout::yuv420 ? 8.0 : 2.0;
+    EXPECT_LT(compare(decoded, converted.picture).mean, allowed);
   }
 }
 

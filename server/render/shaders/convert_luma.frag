@@ -3,4 +3,8 @@
 
 layout(location = 0) out float luma;
 
-void main() { luma = dot(texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb, TO_Y); }
+// Where the plane is larger than the picture, the last column and row repeat: JPEG wants whole chroma blocks.
+void main() {
+  ivec2 pixel = min(ivec2(gl_FragCoord.xy), textureSize(picture, 0) - 1);
+  luma = dot(texelFetch(picture, pixel, 0).rgb, TO_Y);
+}
