@@ -13,7 +13,7 @@ namespace {
 /// `count` slices of a ramp, `step` apart, in files whose names and instance numbers run against
 /// their places.
 std::vector<DicomSlice> ramp_series(int count, glm::dvec3 first, glm::dvec3 step,
-                                    DicomSlice like = {}) {
+                                    const DicomSlice& like = {}) {
   std::vector<DicomSlice> slices;
   for (int k = 0; k < count; ++k) {
     DicomSlice& slice = slices.emplace_back(like);

@@ -103,8 +103,8 @@ std::string tiff_bytes(int slice, bool big, const Resolution& resolution,
                                    {282, 5, 1, kRationals},
                                    {283, 5, 1, kRationals + 8},
                                    {296, 3, 1, resolution.unit}};
-  const auto shorts = [&](std::vector<std::uint16_t> v) { return bytes_of_numbers(v, big); };
-  const auto longs = [&](std::vector<std::uint32_t> v) { return bytes_of_numbers(v, big); };
+  const auto shorts = [&](const std::vector<std::uint16_t>& v) { return bytes_of_numbers(v, big); };
+  const auto longs = [&](const std::vector<std::uint32_t>& v) { return bytes_of_numbers(v, big); };
   std::string file = (big ? "MM" : "II") + shorts({42}) + longs({8}) + shorts({kEntries});
   for (const auto& [tag, type, count, value] : entries) {
     file += shorts({tag, type}) + longs({count});

@@ -23,7 +23,7 @@ IsolatedReader worker(const std::string& mode = "read-volume-worker") {
 fs::path write_volume(const TemporaryFolder& folder) {
   std::vector<std::int16_t> voxels(4096);
   for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = static_cast<std::int16_t>(i);
-  const fs::path file = folder / "ramp.mha";
+  fs::path file = folder / "ramp.mha";
   write_file(file,
              "NDims = 3\nDimSize = 16 16 16\nElementSpacing = 1 2 3\nOffset = 4 5 6\n"
              "ElementType = MET_SHORT\nElementDataFile = LOCAL\n" +
