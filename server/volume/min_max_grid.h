@@ -23,15 +23,17 @@ struct MinMaxGrid {
 MinMaxGrid build_min_max_grid(const Volume& volume, int brick_size, const ProgressSink& progress,
                               const std::stop_token& stop);
 
-/// Axis-aligned patient-space bounds of the bricks that reach a value; of the whole grid where none does.
-BoundingBox bounds_reaching_mm(const MinMaxGrid& grid, const VolumeGeometry& geometry, double value);
+/// Axis-aligned patient-space bounds of the bricks that reach a value; of the whole grid where none
+/// does.
+BoundingBox bounds_reaching_mm(const MinMaxGrid& grid, const VolumeGeometry& geometry,
+                               double value);
 
 /// Chebyshev distance, in bricks, from each brick to the nearest one that reaches the iso-value
 /// (maximum >= iso): 0 for such a brick itself, saturated at 255. A sample in a brick of distance D
-/// may skip to the exit of the cube of (2D-1) bricks centred on it. Bricks wholly above the iso-value
-/// count as reached: a ray's first sample beyond a thin wall may lie in one. Source: L. Deakin,
-/// M. Knackstedt, "Accelerated Volume Rendering with Chebyshev Distance Maps", SIGGRAPH Asia 2019
-/// Technical Briefs.
+/// may skip to the exit of the cube of (2D-1) bricks centred on it. Bricks wholly above the
+/// iso-value count as reached: a ray's first sample beyond a thin wall may lie in one. Source: L.
+/// Deakin, M. Knackstedt, "Accelerated Volume Rendering with Chebyshev Distance Maps", SIGGRAPH
+/// Asia 2019 Technical Briefs.
 std::vector<std::uint8_t> chebyshev_distance_map(const MinMaxGrid& grid, double iso_value);
 
 }  // namespace cutaway

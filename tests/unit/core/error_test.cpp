@@ -11,7 +11,8 @@ TEST(Error, SaysFieldLimitAndWhatCame) {
                      .field = "/lens/radius_mm",
                      .expected = "0 to 2000 mm",
                      .received = "1e9"});
-  EXPECT_STREQ(error.what(), "the lens is too large (/lens/radius_mm); expected 0 to 2000 mm; got 1e9");
+  EXPECT_STREQ(error.what(),
+               "the lens is too large (/lens/radius_mm); expected 0 to 2000 mm; got 1e9");
 }
 
 TEST(Error, LeavesOutWhatDoesNotApply) {
