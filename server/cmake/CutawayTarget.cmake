@@ -13,7 +13,8 @@ target_compile_options(cutaway_options INTERFACE
   -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread
   $<$<BOOL:${CUTAWAY_WARNINGS_AS_ERRORS}>:-Werror>)
 if(CUTAWAY_SANITIZE)
-  target_compile_options(cutaway_options INTERFACE -fsanitize=${CUTAWAY_SANITIZE} -fno-omit-frame-pointer)
+  target_compile_options(cutaway_options INTERFACE -fsanitize=${CUTAWAY_SANITIZE} -fno-omit-frame-pointer
+    -Wno-maybe-uninitialized)  # PR 105562 again: std::regex under the sanitizers
   target_link_options(cutaway_options INTERFACE -fsanitize=${CUTAWAY_SANITIZE})
 endif()
 
