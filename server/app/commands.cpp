@@ -12,6 +12,7 @@
 
 #ifdef CUTAWAY_IMPORT
 #include "import/import_worker.h"
+#include "import/isolated_reader.h"
 #endif
 
 namespace cutaway {
@@ -50,12 +51,12 @@ void add_render(CLI::App& app) {
 
 InfoReaders file_readers() {
 #ifdef CUTAWAY_IMPORT
-  return {
-      .scan = [](const auto& path, const auto& root) { return scan_volumes(path, root, {}, {}); },
-      .read =
-          [](const VolumeSource& source) {
-            return read_volume(source, {}, terminal_progress(), {});
-          }};
+  return {.scan = [](const auto& path,
+                     const auto& root) { return scan_volumes_isolated({}, path, root, {}, {}); },
+          .read =
+              [](const VolumeSource& source) {
+                return read_volume_isolated({}, source, {}, terminal_progress(), {});
+              }};
 #else
   return {};
 #endif

@@ -3,7 +3,7 @@
 #include "volume/phantoms.h"
 
 #ifdef CUTAWAY_IMPORT
-#include "import/reader.h"
+#include "import/isolated_reader.h"
 #endif
 
 namespace cutaway {
@@ -38,10 +38,11 @@ Volume read_path(const std::string& argument, const ProgressSink& progress) {
   const std::string wanted = hash == std::string::npos ? "" : argument.substr(hash + 1);
   const auto root =
       std::filesystem::is_directory(path) ? path : std::filesystem::absolute(path).parent_path();
-  const Listing listing = scan_volumes(path, root, {}, {});
+  const Listing listing = scan_volumes_isolated({}, path, root, {}, {});
   for (const VolumeSource& source : listing.volumes) {
     const bool only_one = wanted.empty() && listing.volumes.size() == 1;
-    if (only_one || source.description.id == wanted) return read_volume(source, {}, progress, {});
+    if (only_one || source.description.id == wanted)
+      return read_volume_isolated({}, source, {}, progress, {});
   }
   refuse(argument, listing);
 }
