@@ -17,6 +17,8 @@ function withoutForeignIconAddresses(): Plugin {
   };
 }
 
+// Set by tests/run, which adds up the results of all languages.
+const junit_file = process.env['VITEST_JUNIT'];
 const server_address = process.env['CUTAWAY_ADDRESS'] ?? '127.0.0.1:8080';
 const to_server = { target: `http://${server_address}` };
 
@@ -34,5 +36,9 @@ export default defineConfig({
   },
   build: { target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false } },
   worker: { format: 'es' },
-  test: { include: ['tests/**/*.test.ts'], environment: 'node' },
+  test: {
+    include: ['tests/**/*.test.ts'],
+    environment: 'node',
+    ...(junit_file ? { reporters: ['default', 'junit'], outputFile: { junit: junit_file } } : {}),
+  },
 });
