@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/loaded_facts.h"
+#include "render/loaded_facts.h"
 #include "scene/scene_json.h"
 
 namespace cutaway {

@@ -4,11 +4,11 @@
 #include <fstream>
 #include <future>
 
-#include "app/loaded_facts.h"
 #include "app/terminal_progress.h"
 #include "app/volume_argument.h"
 #include "core/log.h"
 #include "encode/png.h"
+#include "render/loaded_facts.h"
 #include "render/render_thread.h"
 #include "scene/resolve.h"
 #include "volume/phantoms.h"

@@ -1,4 +1,4 @@
-// Volume files and folders: the only door to ITK and OpenImageIO.
+// Volume files and folders: the only door to GDCM and OpenImageIO.
 #pragma once
 
 #include <cstdint>

@@ -39,8 +39,8 @@ void RenderWorker::begin(RenderJob job) {
 
 void RenderWorker::draw(Pending& pending) {
   const RenderRequest& request = pending.job.request;
-  if (context_.is_lost())
-    throw Error({.code = "render-failed", .message = "the graphics device was lost"});
+  lost_ = lost_ || context_.is_lost();  // the device tells of it once
+  if (lost_) throw Error({.code = "render-failed", .message = "the graphics device was lost"});
   ViewState& view = views_[request.view];
   pipeline_.render(view, *request.scene, volume_for(request.volume), request.settings);
   FramePipeline::start_readback(view, request.settings.layout, pending.readback);

@@ -21,6 +21,7 @@ class RenderWorker {
   /// Hands over every frame whose pixels have arrived; waits for the oldest where `wait` says so.
   void finish(bool wait);
 
+  /// True once the graphics device was lost; every job fails from then on.
   bool is_lost() const { return lost_; }
 
   void release(std::uint64_t view) { views_.erase(view); }

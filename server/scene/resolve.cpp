@@ -81,11 +81,15 @@ Lens resolve_lens(const Json& document, const VolumeFacts& volume, const Scene& 
   lens.mode = document.at("mode").get<LensMode>();
   lens.shape = module_from(document.at("shape"));
   lens.cap = document.at("cap").get<LensCap>();
-  lens.centre_mm = vector_or(document, "centre_mm", [&] {
-    return chosen_lens_centre_mm(volume, scene.camera, scene.viewport, scene.context.iso_value);
-  });
-  lens.radius_mm = document.contains("radius_mm") ? document.at("radius_mm").get<double>()
-                                                  : chosen_lens_radius_mm(volume);
+  if (document.contains("radius_mm")) lens.radius_mm = document.at("radius_mm").get<double>();
+  if (document.contains("centre_mm")) lens.centre_mm = vector_from(document.at("centre_mm"));
+  if (document.contains("radius_mm") && document.contains("centre_mm")) return lens;
+  const LensPlacementView view{scene.camera, scene.viewport, scene.context.iso_value,
+                               scene.focus.iso_value};
+  const PlacedLens chosen = chosen_lens(
+      volume, view, document.contains("radius_mm") ? std::optional(lens.radius_mm) : std::nullopt);
+  if (!document.contains("radius_mm")) lens.radius_mm = chosen.radius_mm;
+  if (!document.contains("centre_mm")) lens.centre_mm = chosen.centre_mm;
   return lens;
 }
 

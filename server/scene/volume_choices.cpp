@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "scene/schema.h"
-#include "scene/view_geometry.h"
 
 namespace cutaway {
 
@@ -12,6 +11,7 @@ namespace {
 
 constexpr double kFramingMargin = 1.05;
 constexpr double kLensShareOfDiagonal = 0.15;
+constexpr const char* kLensRadius = "/properties/lens/properties/radius_mm";
 constexpr glm::dvec3 kSuperior{0.0, 0.0, 1.0};
 constexpr glm::dvec3 kAnterior{0.0, -1.0, 0.0};
 
@@ -57,19 +57,16 @@ glm::dvec3 chosen_eye_mm(const VolumeFacts& volume, Viewport viewport, glm::dvec
   return clamped_position(target_mm + kAnterior * (to_front_mm + 0.5 * depth_mm));
 }
 
-glm::dvec3 chosen_lens_centre_mm(const VolumeFacts& volume, const Camera& camera, Viewport viewport,
-                                 double iso_value) {
-  const Viewport size = viewport.width_px > 0 && viewport.height_px > 0 ? viewport : Viewport{1, 1};
-  const ViewRay ray = ray_through(camera, size, {0.5 * size.width_px, 0.5 * size.height_px});
-  if (volume.first_surface_mm)
-    if (const auto hit = volume.first_surface_mm(ray.origin_mm, ray.direction, iso_value))
-      return clamped_position(*hit);
-  return volume_centre_mm(volume);
-}
-
-double chosen_lens_radius_mm(const VolumeFacts& volume) {
-  return clamped(kLensShareOfDiagonal * volume.diagonal_mm,
-                 "/properties/lens/properties/radius_mm");
+PlacedLens chosen_lens(const VolumeFacts& volume, const LensPlacementView& view,
+                       std::optional<double> radius_mm) {
+  LensPlacementView seen = view;
+  if (seen.viewport.width_px <= 0 || seen.viewport.height_px <= 0) seen.viewport = {1, 1};
+  const double usual_mm = radius_mm.value_or(kLensShareOfDiagonal * volume.diagonal_mm);
+  PlacedLens lens =
+      placed_lens(volume, seen, usual_mm).value_or(PlacedLens{volume_centre_mm(volume), usual_mm});
+  lens.centre_mm = clamped_position(lens.centre_mm);
+  lens.radius_mm = radius_mm.value_or(clamped(lens.radius_mm, kLensRadius));
+  return lens;
 }
 
 }  // namespace cutaway

@@ -1,6 +1,7 @@
 // What is chosen for a volume where a document leaves it open.
 #pragma once
 
+#include "scene/lens_placement.h"
 #include "scene/scene.h"
 #include "scene/volume_facts.h"
 
@@ -19,11 +20,10 @@ glm::dvec3 chosen_eye_mm(const VolumeFacts& volume, Viewport viewport, glm::dvec
 /// The same for the height that an orthographic view spans.
 double chosen_view_height_mm(const VolumeFacts& volume, Viewport viewport);
 
-/// On the surface of `iso_value` in the middle of the view, else in the middle of the volume.
-glm::dvec3 chosen_lens_centre_mm(const VolumeFacts& volume, const Camera& camera, Viewport viewport,
-                                 double iso_value);
-
-/// 0.15 of the diagonal of the volume's material.
-double chosen_lens_radius_mm(const VolumeFacts& volume);
+/// The lens where it shows some of the focus (see placed_lens), in the middle of the volume where
+/// the view misses the context. Its radius is the given one, else 0.15 of the diagonal of the
+/// volume's material or a little more.
+PlacedLens chosen_lens(const VolumeFacts& volume, const LensPlacementView& view,
+                       std::optional<double> radius_mm);
 
 }  // namespace cutaway

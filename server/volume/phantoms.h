@@ -12,13 +12,13 @@
 
 namespace cutaway {
 
-/// Adults of average measures, contrast medium in the arteries (about 350 HU). What tells left (+x)
-/// from right, besides asymmetric anatomy:
-///  head     a metal earring in the left lobe, about (77, 10, -28) mm; the left frontal sinus is
-///  the larger one abdomen  liver on the right, spleen and stomach on the left; the right kidney
-///  lies lower knees    a bone cyst in the left tibia only, about (85, 6, -34) mm; fibulae lie on
-///  the outer sides
-enum class PhantomKind { head, abdomen, knees };
+/// Adults of average measures, contrast medium in the arteries (about 350 HU). Each says, besides
+/// asymmetric anatomy, what tells left (+x) from right.
+enum class PhantomKind {
+  head,     ///< a metal earring in the left lobe, about (77, 10, -28) mm; larger left frontal sinus
+  abdomen,  ///< liver on the right, spleen and stomach on the left; the right kidney lies lower
+  knees  ///< a bone cyst in the left tibia only, about (85, 6, -34) mm; fibulae on the outer sides
+};
 
 struct PhantomRequest {
   PhantomKind kind = PhantomKind::head;

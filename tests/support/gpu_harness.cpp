@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "render/loaded_facts.h"
 #include "scene/resolve.h"
-#include "volume/ray_probe.h"
 
 namespace cutaway::test {
 
@@ -28,28 +28,6 @@ BytePicture GpuHarness::render(const Scene& scene,
 
 std::shared_ptr<const LoadedVolume> load(Volume volume) {
   return derive_loaded_volume(std::move(volume), {}, {});
-}
-
-VolumeFacts facts_of(const std::shared_ptr<const LoadedVolume>& loaded) {
-  const Volume& volume = loaded->volume;
-  const BoundingBox& bounds = loaded->material_bounds_mm;
-  return {.id = volume.description.id,
-          .bounds_minimum_mm = bounds.minimum_mm,
-          .bounds_maximum_mm = bounds.maximum_mm,
-          .diagonal_mm = glm::length(bounds.maximum_mm - bounds.minimum_mm),
-          .minimum_value = volume.value_range.minimum,
-          .maximum_value = volume.value_range.maximum,
-          .outer_iso_value = loaded->surfaces.outer_iso_value,
-          .inner_iso_value = loaded->surfaces.inner_iso_value,
-          .first_surface_mm = [loaded](glm::dvec3 origin, glm::dvec3 direction,
-                                       double iso) -> std::optional<glm::dvec3> {
-            const PatientRay ray{origin, direction};
-            const auto limits = intersect_grid(loaded->volume.geometry, ray);
-            if (!limits) return std::nullopt;
-            const auto distance = first_surface_mm(loaded->volume, ray, iso, *limits);
-            if (!distance) return std::nullopt;
-            return origin + *distance * direction;
-          }};
 }
 
 Scene scene_for(const Json& document, const std::shared_ptr<const LoadedVolume>& volume,

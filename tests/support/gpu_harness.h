@@ -6,7 +6,6 @@
 #include "gl/context.h"
 #include "render/frame_pipeline.h"
 #include "scene/scene.h"
-#include "scene/volume_facts.h"
 #include "support/picture_difference.h"
 #include "support/reference_renderer.h"
 
@@ -33,9 +32,6 @@ class GpuHarness {
 };
 
 std::shared_ptr<const LoadedVolume> load(Volume volume);
-
-/// Facts of a volume as the server makes them; iso-values are those suggested.
-VolumeFacts facts_of(const std::shared_ptr<const LoadedVolume>& volume);
 
 /// A complete scene from a partial document.
 Scene scene_for(const Json& document, const std::shared_ptr<const LoadedVolume>& volume,

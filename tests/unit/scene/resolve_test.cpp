@@ -47,7 +47,8 @@ TEST(Resolve, PutsTheLensOnTheSurfaceInTheMiddleOfTheView) {
   EXPECT_LT(glm::distance(front.lens.centre_mm, nearest), 1e-9);
   EXPECT_DOUBLE_EQ(front.lens.radius_mm, 0.15 * ball_facts().diagonal_mm);
 
-  const Scene above = resolved(R"({"camera": {"eye_mm": [10, -20, 900]}})");
+  const Scene above =
+      resolved(R"({"camera": {"eye_mm": [10, -20, 900]}, "lens": {"radius_mm": 60}})");
   EXPECT_LT(glm::distance(above.lens.centre_mm, kBallCentre_mm + glm::dvec3(0, 0, kBallRadius_mm)),
             1e-9);
 }

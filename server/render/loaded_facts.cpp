@@ -1,4 +1,4 @@
-#include "app/loaded_facts.h"
+#include "render/loaded_facts.h"
 
 #include <utility>
 

@@ -1,0 +1,30 @@
+// Where a lens goes that nobody has placed, and how large it is.
+#pragma once
+
+#include "scene/scene.h"
+#include "scene/volume_facts.h"
+
+namespace cutaway {
+
+/// What the view shows without a lens decides: its camera, its picture's size and the two surfaces.
+struct LensPlacementView {
+  Camera camera;
+  Viewport viewport;
+  double context_iso_value = 0.0;
+  double focus_iso_value = 0.0;
+};
+
+/// Patient space, mm.
+struct PlacedLens {
+  glm::dvec3 centre_mm{0.0};
+  double radius_mm = 0.0;
+};
+
+/// Of radius `radius_mm` on the context's surface, as near to the middle of the view as there is
+/// something of the focus to show; where no such place shows any, up to 1.4 times as large and up
+/// to 0.7 of its radius under the surface. Nothing where the view misses the context's surface.
+/// Looks along some 400 rays: tens of milliseconds for a large volume. Thread-safe.
+std::optional<PlacedLens> placed_lens(const VolumeFacts& volume, const LensPlacementView& view,
+                                      double radius_mm);
+
+}  // namespace cutaway

@@ -1,0 +1,105 @@
+import json
+import random
+import unittest
+
+import numpy
+
+from saliency import PRIMARY, SECOND_OPINION, Observation, analyse, judge
+from saliency.metrics import Scores
+
+
+def observations(effect, swapped=-0.4, data_sets=3, units=12, second_effect=None, spread=0.2, seed=1):
+    """Scores as if A exceeded B by `effect` in NSS under the primary model, and D exceeded B by `swapped`."""
+    generator = numpy.random.default_rng(seed)
+    effects = {PRIMARY: effect, SECOND_OPINION: effect if second_effect is None else second_effect}
+    for model, gain in effects.items():
+        for data_set in range(data_sets):
+            for unit in range(units):
+                place = generator.normal(1, 0.5)
+                for condition, mean in (("A", gain), ("B", 0), ("C", -0.1), ("D", swapped)):
+                    nss = place + mean + generator.normal(0, spread)
+                    result = Scores(nss, 0.5 + nss / 10, 1 + nss, nss > 1, nss > 1, 1 if nss > 1 else None)
+                    yield Observation(f"volume {data_set}", f"view {unit}", condition, model, result)
+
+
+def verdict(*arguments, **named):
+    return judge(analyse(list(observations(*arguments, **named))))
+
+
+class Analysis(unittest.TestCase):
+    def test_the_difference_is_found_with_its_sign(self):
+        result = analyse(list(observations(0.5)))[PRIMARY]
+        better, worse = result.comparisons["A-B", "nss"], result.comparisons["D-B", "nss"]
+        self.assertAlmostEqual(better.mean, 0.5, delta=0.15)
+        self.assertTrue(better.units_interval[0] < better.mean < better.units_interval[1])
+        self.assertAlmostEqual(worse.mean, -0.4, delta=0.15)
+        self.assertLess(better.sign_flip_p, 0.001)
+        self.assertGreater(worse.sign_flip_p, 0.999)
+        self.assertEqual((better.units, better.data_sets), (36, 3))
+        self.assertAlmostEqual(result.means["A"]["nss"] - result.means["B"]["nss"], better.mean, places=9)
+
+    def test_pairing_removes_what_the_place_adds(self):
+        comparison = analyse(list(observations(0.15)))[PRIMARY].comparisons["A-B", "nss"]
+        self.assertLess(comparison.sign_flip_p, 0.01)
+        self.assertLess(comparison.cliffs_delta, 0.5)
+
+    def test_the_hits_add_up(self):
+        result = analyse(list(observations(0.5)))[PRIMARY]
+        hits = result.hits["A-B"]
+        self.assertEqual(hits.both + hits.only_first + hits.only_second + hits.neither, 36)
+        self.assertAlmostEqual(result.hit_rates["A"], (hits.both + hits.only_first) / 36)
+        self.assertAlmostEqual(result.hit_rates["B"], (hits.both + hits.only_second) / 36)
+
+    def test_the_order_of_observations_does_not_matter(self):
+        ordered = list(observations(0.3))
+        shuffled = ordered.copy()
+        random.Random(5).shuffle(shuffled)
+        self.assertEqual(analyse(ordered)[PRIMARY].as_dict(), analyse(shuffled)[PRIMARY].as_dict())
+
+    def test_a_missing_picture_is_named(self):
+        some = [o for o in observations(0.3) if (o.data_set, o.unit, o.condition) != ("volume 1", "view 7", "B")]
+        with self.assertRaisesRegex(ValueError, "volume 1, view 7: lacks condition B"):
+            analyse(some)
+
+    def test_a_double_and_an_unknown_condition_are_refused(self):
+        some = list(observations(0.3))
+        with self.assertRaisesRegex(ValueError, "volume 0, view 0: condition A"):
+            analyse(some + some[:1])
+        stray = Observation("volume 0", "view 0", "E", PRIMARY, some[0].scores)
+        with self.assertRaisesRegex(ValueError, "condition E"):
+            analyse(some + [stray])
+
+    def test_results_are_plain_values(self):
+        for result in analyse(list(observations(0.3))).values():
+            self.assertEqual(json.loads(json.dumps(result.as_dict()))["model"], result.model)
+
+
+class Judgement(unittest.TestCase):
+    def test_supported(self):
+        result = verdict(0.5)
+        self.assertEqual(result.outcome, "supported")
+        self.assertIn("Supported", result.text)
+        self.assertIn("3 data sets cannot give less than 0.12", result.text)
+
+    def test_contradicted(self):
+        result = verdict(-0.5)
+        self.assertEqual(result.outcome, "contradicted")
+        self.assertIn("Contradicted", result.text)
+
+    def test_no_effect_is_not_shown(self):
+        self.assertEqual(verdict(0.0).outcome, "not shown")
+
+    def test_the_second_opinion_must_agree(self):
+        self.assertEqual(verdict(0.5, second_effect=-0.3).outcome, "not shown")
+
+    def test_the_swapped_style_must_turn_the_sign(self):
+        result = verdict(0.5, swapped=0.4)
+        self.assertEqual(result.outcome, "not shown")
+        self.assertIn("does not turn the sign", result.text)
+
+    def test_many_data_sets_carry_further(self):
+        self.assertIn("It also holds with data sets as the sampled unit", verdict(0.5, data_sets=6).text)
+
+    def test_a_small_sample_is_owned_up_to(self):
+        self.assertIn("smaller than planned: 8 units of 2 data sets", verdict(0.5, data_sets=2, units=4).text)
+        self.assertNotIn("smaller than planned", verdict(0.5).text)

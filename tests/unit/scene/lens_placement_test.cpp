@@ -1,0 +1,93 @@
+#include "scene/lens_placement.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/view_geometry.h"
+#include "unit/scene/sphere_facts.h"
+
+namespace cutaway {
+namespace {
+
+/// Looking at the ball from the front; iso-values above 0 are bone.
+LensPlacementView front_view() {
+  LensPlacementView view;
+  view.camera.eye_mm = kBallCentre_mm - glm::dvec3(0.0, 500.0, 0.0);
+  view.camera.target_mm = kBallCentre_mm;
+  view.camera.up = {0.0, 0.0, 1.0};
+  view.camera.vertical_fov_degrees = 30.0;
+  view.viewport = {600, 400};
+  view.context_iso_value = -200.0;
+  view.focus_iso_value = 250.0;
+  return view;
+}
+
+/// The ball with bone only in a small ball under its skin, on the patient's left.
+VolumeFacts ball_with_bone_on_the_left() {
+  VolumeFacts facts = ball_facts();
+  const auto skin = facts.first_surface_mm;
+  facts.first_surface_mm = [skin](glm::dvec3 origin_mm, glm::dvec3 direction, double iso_value) {
+    if (iso_value < 0.0) return skin(origin_mm, direction, iso_value);
+    // first_point_on_ball knows one centre: the ray is moved instead of the ball.
+    const glm::dvec3 shift(40.0, -30.0, 0.0);
+    auto point = first_point_on_ball(origin_mm - shift, direction, 20.0);
+    if (point) *point += shift;
+    return point;
+  };
+  return facts;
+}
+
+TEST(LensPlacement, StaysInTheMiddleWhereThatShowsTheFocus) {
+  const auto lens = placed_lens(ball_facts(), front_view(), 50.0);
+  ASSERT_TRUE(lens);
+  EXPECT_LT(glm::distance(lens->centre_mm, kBallCentre_mm - glm::dvec3(0.0, kBallRadius_mm, 0.0)),
+            1e-9);
+}
+
+TEST(LensPlacement, GoesToTheFocusOnTheSkin) {
+  const auto lens = placed_lens(ball_with_bone_on_the_left(), front_view(), 25.0);
+  ASSERT_TRUE(lens);
+  EXPECT_NEAR(glm::distance(lens->centre_mm, kBallCentre_mm), kBallRadius_mm, 1e-6);
+  EXPECT_GT(lens->centre_mm.x, kBallCentre_mm.x + 20.0) << "the bone is on the left, +x";
+  EXPECT_NEAR(lens->centre_mm.z, kBallCentre_mm.z, 15.0);
+}
+
+TEST(LensPlacement, StaysInTheMiddleWhereNothingShowsTheFocus) {
+  VolumeFacts facts = ball_facts();
+  const auto skin = facts.first_surface_mm;
+  facts.first_surface_mm = [skin](glm::dvec3 origin_mm, glm::dvec3 direction, double iso_value) {
+    return iso_value < 0.0 ? skin(origin_mm, direction, iso_value) : std::nullopt;
+  };
+  const auto lens = placed_lens(facts, front_view(), 30.0);
+  ASSERT_TRUE(lens);
+  EXPECT_LT(glm::distance(lens->centre_mm, kBallCentre_mm - glm::dvec3(0.0, kBallRadius_mm, 0.0)),
+            1e-9);
+}
+
+TEST(LensPlacement, SinksToAFocusThatLiesTooDeep) {
+  VolumeFacts facts = ball_facts();
+  facts.first_surface_mm = [](glm::dvec3 origin_mm, glm::dvec3 direction, double iso_value) {
+    return first_point_on_ball(origin_mm, direction, iso_value < 0.0 ? kBallRadius_mm : 30.0);
+  };
+  const auto lens = placed_lens(facts, front_view(), 40.0);  // the focus is 50 mm deep
+  ASSERT_TRUE(lens);
+  const double depth_mm = kBallRadius_mm - glm::distance(lens->centre_mm, kBallCentre_mm);
+  EXPECT_GT(depth_mm + lens->radius_mm, 50.0) << "it reaches the focus";
+  EXPECT_LT(depth_mm, lens->radius_mm) << "it still opens the surface";
+}
+
+TEST(LensPlacement, FindsTheSurfaceBesideTheMiddle) {
+  LensPlacementView view = front_view();
+  view.camera.target_mm.x += 100.0;  // the ball is in the picture's left half now
+  const auto lens = placed_lens(ball_facts(), view, 60.0);
+  ASSERT_TRUE(lens);
+  EXPECT_NEAR(glm::distance(lens->centre_mm, kBallCentre_mm), kBallRadius_mm, 1e-6);
+}
+
+TEST(LensPlacement, IsNowhereWhereTheViewMissesTheSurface) {
+  LensPlacementView view = front_view();
+  view.camera.target_mm = view.camera.eye_mm - glm::dvec3(0.0, 500.0, 0.0);
+  EXPECT_FALSE(placed_lens(ball_facts(), view, 30.0));
+}
+
+}  // namespace
+}  // namespace cutaway
