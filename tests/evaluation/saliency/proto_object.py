@@ -49,7 +49,7 @@ def proto_object(maps, cell, theta=THETA, clean_up=True):
     clean_up: open and close the region, which takes off threads and fills dents."""
     channel = max(CHANNELS, key=lambda name: maps.conspicuity[name][cell])
     for source, values, level in _candidates(maps, channel, cell):
-        region = _region(values, _seed(values, level, cell), theta, clean_up)
+        region = _region(values, _sample(cell, level), theta, clean_up)
         if region is not None:
             return ProtoObject(source, channel, _at_pixels(maps.grid, region, level), _at_cells(region, level))
     return None
@@ -67,20 +67,16 @@ def _candidates(maps, channel, cell):
 def _strongest(feature_maps, cell):
     """The map with the largest value at the cell. Of near equals the one with the finest centre, as it draws the outline best,
     and the coarsest surround, as a close one answers around the object too."""
-    at_cell = {plane.name: plane.values[_seed(plane.values, plane.centre_level, cell)] for plane in feature_maps}
+    at_cell = {plane.name: plane.values[_sample(cell, plane.centre_level)] for plane in feature_maps}
     enough = (1 - NEAR_TIE) * max(at_cell.values())
     near = [plane for plane in feature_maps if at_cell[plane.name] >= enough]
     return min(near, key=lambda plane: (plane.centre_level, -plane.surround_level))
 
 
-def _seed(values, level, cell):
-    """The strongest sample that belongs to the winner's cell. The cell's own sample may miss a peak narrower than the cell."""
+def _sample(cell, level):
+    """The sample of a level that lies on the cell's pixel."""
     finer = 2 ** (MAP_LEVEL - level)
-    reach = finer // 2
-    row, column = (max(0, index * finer - reach) for index in cell)
-    block = values[row : cell[0] * finer + reach + 1, column : cell[1] * finer + reach + 1]
-    in_block = numpy.unravel_index(block.argmax(), block.shape)
-    return row + int(in_block[0]), column + int(in_block[1])
+    return cell[0] * finer, cell[1] * finer
 
 
 def _region(values, seed, theta, clean_up):

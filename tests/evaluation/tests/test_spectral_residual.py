@@ -44,10 +44,9 @@ class SpectralResidual(unittest.TestCase):
             self.assertTrue(numpy.isfinite(spectral_residual(rgb)).all())
 
     def test_finds_the_odd_one(self):
-        for item, odd in (
-            (displays.bar(0), displays.bar(90)),
-            (displays.disc(20, displays.PALE), displays.disc(20, displays.WHITE)),
-        ):
+        pale, white = displays.disc(20, displays.PALE), displays.disc(20, displays.WHITE)
+        small, large = displays.disc(14, displays.WHITE), displays.disc(38, displays.WHITE)
+        for item, odd in ((pale, white), (small, large)):
             picture, (x, y) = displays.array(item, odd, (4, 1))
             winner = map_fixations(spectral_residual(picture), picture.shape, 1)[0]
             self.assertLess(numpy.hypot(winner.position_px[0] - x, winner.position_px[1] - y), 48)
