@@ -1,4 +1,6 @@
-"""Saliency of rendered pictures, and whether it lies in the focus: models, measures, paired statistics, verdict. See README.md."""
+"""Saliency of rendered pictures, and whether it lies in the focus: models, measures, paired
+statistics, verdict. See README.md.
+"""
 from .experiment import CONDITIONS, Observation, analyse
 from .fixations import fixations, map_fixations
 from .itti import saliency_maps

@@ -1,6 +1,8 @@
-"""The designed experiment: does the illustration style draw the eye to the focus, more than Phong shading of the same cutaway?
+"""The designed experiment: does the illustration style draw the eye to the focus, more than Phong
+shading of the same cutaway?
 
-A unit is one data set, camera and lens position; each is rendered in every condition and scored with one and the same focus mask.
+A unit is one data set, camera and lens position; each is rendered in every condition and scored
+with one and the same focus mask.
 """
 from dataclasses import asdict, dataclass
 
@@ -15,7 +17,11 @@ CONDITIONS = {
     "C": "Phong shading without a lens",
     "D": "style with focus and context swapped",
 }
-CONTRASTS = (("A", "B"), ("A", "C"), ("D", "B"))  # the first decides; the last must have the opposite sign
+CONTRASTS = (
+    ("A", "B"),
+    ("A", "C"),
+    ("D", "B"),
+)  # the first decides; the last must have the opposite sign
 MEASURES = ("nss", "auc", "mass_ratio")  # the first decides
 UNITS_PER_DATA_SET = 12
 DATA_SETS = 3
@@ -23,7 +29,8 @@ DATA_SETS = 3
 
 @dataclass(frozen=True)
 class Observation:
-    """One picture's scores under one model. unit: camera and lens position, unique within its data set."""
+    """One picture's scores under one model. unit: camera and lens position, unique within its data
+    set."""
 
     data_set: str
     unit: str
@@ -34,8 +41,9 @@ class Observation:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Paired differences first - second of one measure over all units, with their uncertainty. Intervals are 95 %; all p are
-    one-sided for "first is larger". units_*: of the sample at hand. clustered_*: data sets as the sampled unit."""
+    """Paired differences first - second of one measure over all units, with their uncertainty.
+    Intervals are 95 %; all p are one-sided for "first is larger". units_*: of the sample at hand.
+    clustered_*: data sets as the sampled unit."""
 
     first: str
     second: str
@@ -55,7 +63,8 @@ class Comparison:
 
 @dataclass(frozen=True)
 class HitComparison:
-    """First winners inside the focus: units hit in both, in one only, in neither; exact McNemar, one-sided for "first hits more"."""
+    """First winners inside the focus: units hit in both, in one only, in neither; exact McNemar,
+    one-sided for "first hits more"."""
 
     first: str
     second: str
@@ -84,8 +93,12 @@ class ModelResult:
 
 
 def analyse(observations, seed=0):
-    """{model: ModelResult} of observations. ValueError where a unit lacks a condition that another unit has, or has it twice."""
-    return {model: _analyse_model(model, _table(observations, model), seed) for model in _models(observations)}
+    """{model: ModelResult} of observations. ValueError where a unit lacks a condition that another
+    unit has, or has it twice."""
+    return {
+        model: _analyse_model(model, _table(observations, model), seed)
+        for model in _models(observations)
+    }
 
 
 def _analyse_model(model, table, seed):
@@ -93,9 +106,16 @@ def _analyse_model(model, table, seed):
     contrasts = [pair for pair in CONTRASTS if set(pair) <= set(present)]
     return ModelResult(
         model,
-        {condition: {m: float(_column(table, condition, m).mean()) for m in MEASURES} for condition in present},
+        {
+            condition: {m: float(_column(table, condition, m).mean()) for m in MEASURES}
+            for condition in present
+        },
         {condition: float(_column(table, condition, "first_hit").mean()) for condition in present},
-        {(f"{a}-{b}", measure): compare(table, a, b, measure, seed) for a, b in contrasts for measure in MEASURES},
+        {
+            (f"{a}-{b}", measure): compare(table, a, b, measure, seed)
+            for a, b in contrasts
+            for measure in MEASURES
+        },
         {f"{a}-{b}": compare_hits(table, a, b) for a, b in contrasts},
     )
 
@@ -135,17 +155,25 @@ def _models(observations):
 
 
 def _table(observations, model):
-    """{(data set, unit): {condition: Scores}}, sorted, so that the order of rendering does not change a resample."""
+    """{(data set, unit): {condition: Scores}}, sorted, so that the order of rendering does not
+    change a resample."""
     table = {}
-    for observation in sorted((o for o in observations if o.model == model), key=lambda o: (o.data_set, o.unit)):
+    for observation in sorted(
+        (o for o in observations if o.model == model), key=lambda o: (o.data_set, o.unit)
+    ):
         row = table.setdefault((observation.data_set, observation.unit), {})
         if observation.condition not in CONDITIONS or observation.condition in row:
-            raise ValueError(f"{observation.data_set}, {observation.unit}: condition {observation.condition} is unknown or double")
+            raise ValueError(
+                f"{observation.data_set}, {observation.unit}: "
+                f"condition {observation.condition} is unknown or double"
+            )
         row[observation.condition] = observation.scores
     wanted = set().union(*(row.keys() for row in table.values()))
     for (data_set, unit), row in table.items():
         if row.keys() != wanted:
-            raise ValueError(f"{data_set}, {unit}: lacks condition {', '.join(sorted(wanted - row.keys()))}")
+            raise ValueError(
+                f"{data_set}, {unit}: lacks condition {', '.join(sorted(wanted - row.keys()))}"
+            )
     return table
 
 

@@ -1,9 +1,11 @@
-"""Where the cells of a dyadic pyramid lie on the picture, and how the picture is framed so that they lie evenly.
+"""Where the cells of a dyadic pyramid lie on the picture, and how the picture is framed so that
+they lie evenly.
 
-Each halving keeps samples 0, 2, 4 ... of the level below, so cell (row, column) of level L lies exactly on pixel
-(row * 2^L, column * 2^L) of the framed picture. Both borders carry a sample at every level only if the framed sides are
-k * 256 + 1 pixels; otherwise the coarse surrounds end up to 255 pixels short of the right and the lower border and a mirrored
-picture would get another map. So the picture is framed by repeating its border pixels, and the maps are cropped again.
+Each halving keeps samples 0, 2, 4 ... of the level below, so cell (row, column) of level L lies
+exactly on pixel (row * 2^L, column * 2^L) of the framed picture. Both borders carry a sample at
+every level only if the framed sides are k * 256 + 1 pixels; otherwise the coarse surrounds end up
+to 255 pixels short of the right and the lower border and a mirrored picture would get another map.
+So the picture is framed by repeating its border pixels, and the maps are cropped again.
 """
 from dataclasses import dataclass
 
@@ -18,8 +20,9 @@ SMALLEST_SIDE_PX = 2**COARSEST_LEVEL
 
 @dataclass(frozen=True)
 class Axis:
-    """One side of the picture. size_px: its pixels. cells: cells of the saliency map that cover it. before_px: added pixels
-    before its first one, a multiple of CELL_PX. framed_px: all pixels, k * 256 + 1."""
+    """One side of the picture. size_px: its pixels. cells: cells of the saliency map that cover it.
+    before_px: added pixels before its first one, a multiple of CELL_PX. framed_px: all pixels, k *
+    256 + 1."""
 
     size_px: int
     cells: int
@@ -28,9 +31,11 @@ class Axis:
 
     @classmethod
     def of(cls, size_px):
-        """ValueError under SMALLEST_SIDE_PX: the coarsest surround would be wider than the picture."""
+        """ValueError under SMALLEST_SIDE_PX: the coarsest surround would not fit the picture."""
         if size_px < SMALLEST_SIDE_PX:
-            raise ValueError(f"a picture's side must have at least {SMALLEST_SIDE_PX} pixels for saliency, not {size_px}")
+            raise ValueError(
+                f"a picture's side must have at least {SMALLEST_SIDE_PX} pixels, not {size_px}"
+            )
         steps = -(-(size_px - 1) // CELL_PX)
         spans = -(-(size_px - 1) // SMALLEST_SIDE_PX)
         spare_cells = spans * (SMALLEST_SIDE_PX // CELL_PX) - steps
@@ -41,7 +46,7 @@ class Axis:
         return self.framed_px - self.before_px - self.size_px
 
     def range_at(self, level):
-        """The cells of a level <= MAP_LEVEL that cover the picture, as a slice of the framed level."""
+        """The cells that cover the picture, as a slice of a framed level <= MAP_LEVEL."""
         finer = 2 ** (MAP_LEVEL - level)
         begin = self.before_px // 2**level
         return slice(begin, begin + (self.cells - 1) * finer + 1)
@@ -79,17 +84,22 @@ class Grid:
         return plane[self.rows.range_at(level), self.columns.range_at(level)]
 
     def to_pixels(self, plane, level, interpolation=cv2.INTER_LINEAR):
-        """A cropped plane of a level, sampled at every pixel of the picture: (height, width) float32."""
-        return _sample(plane, self.rows.size_px, self.columns.size_px, 1 / 2**level, interpolation)
+        """A cropped plane of a level, sampled at every pixel of the picture: (height, width)
+        float32."""
+        return _sample(
+            plane, self.rows.size_px, self.columns.size_px, 1 / 2**level, interpolation
+        )
 
 
 def halve(plane):
-    """Next coarser level: 5-tap binomial filter, every second sample; (rows, columns) -> (ceil(rows/2), ceil(columns/2))."""
+    """Next coarser level: 5-tap binomial filter, every second sample; (rows, columns) ->
+    (ceil(rows/2), ceil(columns/2))."""
     return cv2.pyrDown(plane, borderType=cv2.BORDER_REPLICATE)
 
 
 def pyramid(plane, levels):
-    """Levels 0..levels-1 of a Gaussian pyramid (Burt and Adelson 1983), level 0 being the plane itself."""
+    """Levels 0..levels-1 of a Gaussian pyramid (Burt and Adelson 1983), level 0 being the plane
+    itself."""
     planes = [plane]
     while len(planes) < levels:
         planes.append(halve(planes[-1]))
@@ -104,8 +114,9 @@ def coarsen(plane, level, target_level):
 
 
 def refine(plane, shape, levels):
-    """A coarse plane at the samples of a plane `levels` finer with that shape, bilinear. cv2.resize would not do: it takes
-    samples for centres of areas and would shift the plane by half a coarse cell."""
+    """A coarse plane at the samples of a plane `levels` finer with that shape, bilinear. cv2.resize
+    would not do: it takes samples for centres of areas and would shift the plane by half a coarse
+    cell."""
     return _sample(plane, *shape, 1 / 2**levels, cv2.INTER_LINEAR)
 
 

@@ -1,8 +1,9 @@
 """Saliency map of a picture after Itti, Koch and Niebur.
 
-Source: L. Itti, C. Koch, E. Niebur, IEEE PAMI 20(11), 1998, sections 2.1 and 2.2. Where the SaliencyToolbox of D. Walther differs
-(colour opponents, iterative normalisation), this follows the toolbox, because the dissertation's evaluation used it.
-Rendered pictures should have the same mid-grey background in all conditions: its contrast counts like any other.
+Source: L. Itti, C. Koch, E. Niebur, IEEE PAMI 20(11), 1998, sections 2.1 and 2.2. Where the
+SaliencyToolbox of D. Walther differs (colour opponents, iterative normalisation), this follows the
+toolbox, because the dissertation's evaluation used it. Rendered pictures should have the same
+mid-grey background in all conditions: its contrast counts like any other.
 """
 from dataclasses import dataclass
 
@@ -15,7 +16,7 @@ from .normalisation import NORMALISATIONS
 CENTRE_LEVELS = (2, 3, 4)
 SURROUND_STEPS = (3, 4)
 CHANNELS = ("intensity", "colour", "orientation")  # the order that settles ties
-RIM_CELLS = 1  # of the map: at the picture's border a filter sees repeated pixels, which makes false winners
+RIM_CELLS = 1  # of the map: at the border filters see repeated pixels, which makes false winners
 
 
 @dataclass(frozen=True)
@@ -35,8 +36,9 @@ class FeatureMap:
 
 @dataclass(frozen=True)
 class SaliencyMaps:
-    """All maps of one picture. saliency and conspicuity[channel]: (rows, columns) >= 0 at level 4; cell (i, j) lies on pixel
-    (16 i, 16 j). The scale is free: compare places within a picture, not values between pictures."""
+    """All maps of one picture. saliency and conspicuity[channel]: (rows, columns) >= 0 at level 4;
+    cell (i, j) lies on pixel (16 i, 16 j). The scale is free: compare places within a picture, not
+    values between pictures."""
 
     grid: Grid
     features: tuple
@@ -44,13 +46,13 @@ class SaliencyMaps:
     saliency: numpy.ndarray
 
     def saliency_px(self):
-        """The saliency at each pixel of the picture: (height, width), bilinear between the cells."""
+        """The saliency at each pixel: (height, width), bilinear between the cells."""
         return self.grid.to_pixels(self.saliency, MAP_LEVEL)
 
 
 def saliency_maps(rgb, normalisation="iterative"):
-    """All maps of a picture. rgb: (height, width, 3) in [0, 1], display-encoded, each side >= 256 px, better >= 512.
-    normalisation: "iterative" or "single pass"."""
+    """All maps of a picture. rgb: (height, width, 3) in [0, 1], display-encoded, each side >= 256
+    px, better >= 512. normalisation: "iterative" or "single pass"."""
     normalise = NORMALISATIONS[normalisation]
     grid = Grid.of(rgb)
     maps = tuple(_feature_maps(grid, grid.frame(rgb), normalise))
@@ -84,7 +86,9 @@ def _feature_pyramids(framed):
 
 def centre_surround(planes, centre, surround):
     """|centre level - surround level|, at the samples of the centre level."""
-    return numpy.abs(planes[centre] - refine(planes[surround], planes[centre].shape, surround - centre))
+    return numpy.abs(
+        planes[centre] - refine(planes[surround], planes[centre].shape, surround - centre)
+    )
 
 
 def _without_rim(plane, width):
@@ -94,12 +98,15 @@ def _without_rim(plane, width):
 
 
 def _conspicuity(maps, channel, normalise):
-    """Across-scale sum of a channel's maps at level 4; orientations are normalised one by one before they are added."""
+    """Across-scale sum of a channel's maps at level 4; orientations are normalised one by one
+    before they are added."""
     of_channel = [plane for plane in maps if plane.channel == channel]
     if channel != "orientation":
         return _sum_at_map_level(of_channel)
     names = dict.fromkeys(plane.feature for plane in of_channel)
-    return sum(normalise(_sum_at_map_level([p for p in of_channel if p.feature == name])) for name in names)
+    return sum(
+        normalise(_sum_at_map_level([p for p in of_channel if p.feature == name])) for name in names
+    )
 
 
 def _sum_at_map_level(maps):

@@ -1,4 +1,6 @@
-"""The saliency models of the evaluation behind one call: a picture goes in, a map at its pixels and the ranked winners come out."""
+"""The saliency models of the evaluation behind one call: a picture goes in, a map at its pixels and
+the ranked winners come out.
+"""
 from dataclasses import dataclass
 
 import numpy
@@ -14,7 +16,8 @@ SECOND_OPINION = "spectral residual"
 
 @dataclass(frozen=True)
 class Examined:
-    """model: its name. saliency_px: (height, width) >= 0, free scale. fixations: ranked winners, see fixations.Fixation."""
+    """model: its name. saliency_px: (height, width) >= 0, free scale. fixations: ranked winners,
+    see fixations.Fixation."""
 
     model: str
     saliency_px: numpy.ndarray
@@ -22,7 +25,8 @@ class Examined:
 
 
 def examine(rgb, model, count=COUNT):
-    """A picture under one of MODELS. rgb: (height, width, 3) in [0, 1], display-encoded, sides >= 256 px."""
+    """A picture under one of MODELS. rgb: (height, width, 3) in [0, 1], display-encoded, sides >=
+    256 px."""
     return Examined(model, *MODELS[model](rgb, count))
 
 
@@ -39,5 +43,10 @@ def _spectral_residual(rgb, count):
     return to_pixels(saliency, rgb.shape), map_fixations(saliency, rgb.shape, count)
 
 
-# The single pass differs from the primary model in its normalisation only: it shows how much hangs on that, and is no second opinion.
-MODELS = {PRIMARY: _itti("iterative"), SINGLE_PASS: _itti("single pass"), SECOND_OPINION: _spectral_residual}
+# The single pass differs from the primary model in its normalisation only: it shows how much hangs
+# on that, and is no second opinion.
+MODELS = {
+    PRIMARY: _itti("iterative"),
+    SINGLE_PASS: _itti("single pass"),
+    SECOND_OPINION: _spectral_residual,
+}

@@ -1,8 +1,12 @@
-"""Pictures in, drawings of saliency out. A picture is (height, width, 3) RGB, display-encoded, float32 in [0, 1]."""
+"""Pictures in, drawings of saliency out. A picture is (height, width, 3) RGB, display-encoded,
+float32 in [0, 1].
+"""
 import cv2
 import numpy
 
-BACKGROUND = 128 / 255  # mid-grey; a background's contrast is salient too, so all conditions must share one
+BACKGROUND = (
+    128 / 255
+)  # mid-grey; a background's contrast is salient too, so all conditions must share one
 YELLOW = (255, 255, 0)
 BLACK = (0, 0, 0)
 SMALLEST_RADIUS_PX = 8
@@ -29,7 +33,8 @@ def write_picture(path, rgb):
 
 
 def heat_map(saliency_px):
-    """(height, width) saliency as a picture, black (least) through red and yellow to white (most); black where it is flat."""
+    """(height, width) saliency as a picture, black (least) through red and yellow to white (most);
+    black where it is flat."""
     highest = saliency_px.max()
     share = saliency_px / highest if highest > 0 else numpy.zeros_like(saliency_px)
     return numpy.clip(share[..., None] * 3 - numpy.arange(3), 0, 1).astype(numpy.float32)
@@ -41,7 +46,9 @@ def draw_fixations(rgb, fixations, outlines=True):
     for fixation in fixations:
         x, y, radius = fixation.circle_px()
         centre, radius = (round(x), round(y)), max(round(radius), SMALLEST_RADIUS_PX)
-        _draw_twice(lambda colour, width: cv2.circle(drawn, centre, radius, colour, width, cv2.LINE_AA))
+        _draw_twice(
+            lambda colour, width: cv2.circle(drawn, centre, radius, colour, width, cv2.LINE_AA)
+        )
         if outlines and fixation.proto_object is not None:
             cv2.drawContours(drawn, fixation.proto_object.outlines(), -1, YELLOW, 1, cv2.LINE_AA)
         _draw_rank(drawn, fixation.rank, centre, radius)
@@ -58,7 +65,11 @@ def _draw_rank(drawn, rank, centre, radius):
     x = min(max(centre[0] + round(0.75 * radius), 0), width - 20)
     y = min(max(centre[1] - round(0.75 * radius), 22), height - 4)
     font = cv2.FONT_HERSHEY_SIMPLEX
-    _draw_twice(lambda colour, line: cv2.putText(drawn, str(rank), (x, y), font, 0.8, colour, line, cv2.LINE_AA))
+    _draw_twice(
+        lambda colour, line: cv2.putText(
+            drawn, str(rank), (x, y), font, 0.8, colour, line, cv2.LINE_AA
+        )
+    )
 
 
 def _draw_twice(draw):

@@ -1,8 +1,10 @@
-"""Paired statistics with known assumptions, deterministic for a given seed. Differences are 1-D arrays, one number a unit.
+"""Paired statistics with known assumptions, deterministic for a given seed. Differences are 1-D
+arrays, one number a unit.
 
-Sources: E. J. G. Pitman, "Significance Tests which May be Applied to Samples from any Populations", 1937 (sign flips); B. Efron,
-R. Tibshirani, "An Introduction to the Bootstrap", 1993, chapter 13 (percentile interval); N. Cliff, "Dominance Statistics", 1993;
-Q. McNemar, 1947, in its exact binomial form.
+Sources: E. J. G. Pitman, "Significance Tests which May be Applied to Samples from any Populations",
+1937 (sign flips); B. Efron, R. Tibshirani, "An Introduction to the Bootstrap", 1993, chapter 13
+(percentile interval); N. Cliff, "Dominance Statistics", 1993; Q. McNemar, 1947, in its exact
+binomial form.
 """
 import numpy
 import scipy.stats
@@ -15,7 +17,8 @@ ROUNDING = 1e-12  # relative: equal sums that were added in another order are ti
 
 
 def sign_flip_p(differences, seed=0):
-    """One-sided p of "the differences are symmetric about a value <= 0", by flipping signs; the statistic is their mean."""
+    """One-sided p of "the differences are symmetric about a value <= 0", by flipping signs; the
+    statistic is their mean."""
     differences = numpy.asarray(differences, float)
     count = len(differences)
     at_least = differences.sum() - ROUNDING * numpy.abs(differences).sum()
@@ -30,7 +33,8 @@ def sign_flip_p(differences, seed=0):
 
 
 def clustered_sign_flip_p(differences, clusters, seed=0):
-    """The same with whole clusters flipped: units of one data set count as one witness. k clusters give p >= 2^-k."""
+    """The same with whole clusters flipped: units of one data set count as one witness. k clusters
+    give p >= 2^-k."""
     return sign_flip_p(_cluster_sums(differences, clusters)[0], seed)
 
 
@@ -44,13 +48,16 @@ def wilcoxon_p(differences):
 def bootstrap_interval(differences, seed=0):
     """95 % percentile interval of the mean, units drawn with replacement: (low, high)."""
     differences = numpy.asarray(differences, float)
-    drawn = numpy.random.default_rng(seed).integers(0, len(differences), (RESAMPLES, len(differences)))
+    drawn = numpy.random.default_rng(seed).integers(
+        0, len(differences), (RESAMPLES, len(differences))
+    )
     return _percentiles(differences[drawn].mean(axis=1))
 
 
 def clustered_bootstrap_interval(differences, clusters, seed=0):
-    """95 % percentile interval of the mean, whole clusters drawn with replacement: how far it carries beyond these data sets.
-    With fewer than about five clusters it is rough and too narrow."""
+    """95 % percentile interval of the mean, whole clusters drawn with replacement: how far it
+    carries beyond these data sets. With fewer than about five clusters it is rough and too narrow.
+    """
     sums, sizes = _cluster_sums(differences, clusters)
     drawn = numpy.random.default_rng(seed).integers(0, len(sums), (RESAMPLES, len(sums)))
     return _percentiles(sums[drawn].sum(axis=1) / sizes[drawn].sum(axis=1))
@@ -63,13 +70,14 @@ def cliffs_delta(first, second):
 
 
 def standardised_mean(differences):
-    """Mean difference over its standard deviation (Cohen's d for pairs); None where all are equal."""
+    """Mean over standard deviation (Cohen's d for pairs); None where all are equal."""
     deviation = numpy.std(differences, ddof=1) if len(differences) > 1 else 0.0
     return float(numpy.mean(differences) / deviation) if deviation > 0 else None
 
 
 def mcnemar_p(first, second):
-    """One-sided exact p of "first hits no more often than second", from pairs of bools; 1 where no pair differs."""
+    """One-sided exact p of "first hits no more often than second", from pairs of bools; 1 where no
+    pair differs."""
     first, second = numpy.asarray(first, bool), numpy.asarray(second, bool)
     only_first, only_second = int((first & ~second).sum()), int((~first & second).sum())
     differing = only_first + only_second

@@ -1,8 +1,9 @@
 """What the experiment's numbers allow to be said, favourable or not.
 
-The claim is accepted when the illustration (A) beats Phong shading of the same cutaway (B) in NSS, the interval's lower end above 0,
-under the primary model and under one other kind of map, and when the swapped style (D) turns the sign of the mean under both.
-Fixed before any picture was scored.
+The claim is accepted when the illustration (A) beats Phong shading of the same cutaway (B) in NSS,
+the interval's lower end above 0, under the primary model and under one other kind of map, and when
+the swapped style (D) turns the sign of the mean under both. The rule was set before any two
+conditions were compared.
 """
 from dataclasses import dataclass
 
@@ -12,11 +13,20 @@ from .models import PRIMARY, SECOND_OPINION
 DECISIVE = ("A-B", "nss")
 CONTROL = ("D-B", "nss")
 ALPHA = 0.05
+HEADLINES = {
+    "supported": "Supported: the style draws saliency to the focus, more than Phong shading of the "
+    "same cutaway does.",
+    "not shown": "Not shown: these pictures do not establish that the style draws saliency to the "
+    "focus.",
+    "contradicted": "Contradicted: the style draws less saliency to the focus than Phong shading "
+    "of the same cutaway does.",
+}
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """outcome: "supported", "not shown" or "contradicted". reasons: what decided. caveats: what limits it. All are sentences."""
+    """outcome: "supported", "not shown" or "contradicted". reasons: what decided. caveats: what
+    limits it. All are sentences."""
 
     outcome: str
     reasons: list
@@ -24,21 +34,21 @@ class Verdict:
 
     @property
     def text(self):
-        headline = {
-            "supported": "Supported: the style draws saliency to the focus, more than Phong shading of the same cutaway does.",
-            "not shown": "Not shown: these pictures do not establish that the style draws saliency to the focus.",
-            "contradicted": "Contradicted: the style draws less saliency to the focus than Phong shading of the same cutaway does.",
-        }
-        return "\n".join([headline[self.outcome], *self.reasons, *self.caveats])
+        return "\n".join([HEADLINES[self.outcome], *self.reasons, *self.caveats])
 
 
 def judge(results):
-    """Verdict on analyse(...)'s {model: ModelResult}; both PRIMARY and SECOND_OPINION must be there, with A, B and D."""
-    comparisons = {model: results[model].comparisons[DECISIVE] for model in (PRIMARY, SECOND_OPINION)}
+    """Verdict on analyse(...)'s {model: ModelResult}; both PRIMARY and SECOND_OPINION must be
+    there, with A, B and D."""
+    comparisons = {
+        model: results[model].comparisons[DECISIVE] for model in (PRIMARY, SECOND_OPINION)
+    }
     controls = {model: results[model].comparisons[CONTROL] for model in (PRIMARY, SECOND_OPINION)}
     reasons = [_sentence(model, comparison) for model, comparison in comparisons.items()]
     reasons += [_control_sentence(model, control) for model, control in controls.items()]
-    return Verdict(_outcome(comparisons, controls), reasons, _caveats(results, comparisons[PRIMARY]))
+    return Verdict(
+        _outcome(comparisons, controls), reasons, _caveats(results, comparisons[PRIMARY])
+    )
 
 
 def _outcome(comparisons, controls):
@@ -51,15 +61,21 @@ def _outcome(comparisons, controls):
 
 def _sentence(model, c):
     return (
-        f"{model}: NSS of {c.first} minus {c.second} is {_figure(c.mean, c.units_interval)} over {c.units} units "
-        f"({c.share_positive:.0%} of them positive, sign-flip p = {c.sign_flip_p:.2g}, Cliff's delta {c.cliffs_delta:+.2f}): "
+        f"{model}: NSS of {c.first} minus {c.second} is {_figure(c.mean, c.units_interval)} "
+        f"over {c.units} units ({c.share_positive:.0%} of them positive, "
+        f"sign-flip p = {c.sign_flip_p:.2g}, Cliff's delta {c.cliffs_delta:+.2f}): "
         f"{_direction(c.units_interval)}."
     )
 
 
 def _control_sentence(model, control):
-    turned = "turns the sign, as it should" if control.mean < 0 else "does not turn the sign: the gain is not the style's place"
-    return f"{model}: the swapped style minus B is {_figure(control.mean, control.units_interval)}, which {turned}."
+    turned = (
+        "turns the sign, as it should"
+        if control.mean < 0
+        else "does not turn the sign: the gain is not the style's place"
+    )
+    figure = _figure(control.mean, control.units_interval)
+    return f"{model}: the swapped style minus B is {figure}, which {turned}."
 
 
 def _direction(interval):
@@ -75,35 +91,54 @@ def _figure(mean, interval):
 
 
 def _caveats(results, decisive):
-    return [sentence for sentence in (_size(decisive), _reach(decisive), _p_value(decisive), _hits(results), _lens(results)) if sentence]
+    return [
+        sentence
+        for sentence in (
+            _size(decisive),
+            _reach(decisive),
+            _p_value(decisive),
+            _hits(results),
+            _lens(results),
+        )
+        if sentence
+    ]
 
 
 def _size(c):
     if c.data_sets >= DATA_SETS and c.units >= UNITS_PER_DATA_SET * c.data_sets:
         return None
-    return f"The sample is smaller than planned: {c.units} units of {c.data_sets} data sets, not {UNITS_PER_DATA_SET} of each of {DATA_SETS}."
+    return (
+        f"The sample is smaller than planned: {c.units} units of {c.data_sets} data sets, "
+        f"not {UNITS_PER_DATA_SET} of each of {DATA_SETS}."
+    )
 
 
 def _reach(c):
-    """Units of one data set resemble each other; only a clustered test speaks about data sets that were not rendered."""
+    """Units of one data set resemble each other; only a clustered test speaks about data sets that
+    were not rendered."""
     if c.clustered_sign_flip_p < ALPHA:
-        return f"It also holds with data sets as the sampled unit (p = {c.clustered_sign_flip_p:.2g})."
+        return (
+            f"It also holds with data sets as the sampled unit (p = {c.clustered_sign_flip_p:.2g})."
+        )
     floor = 2.0**-c.data_sets
     limit = f" {c.data_sets} data sets cannot give less than {floor:.2g}." if floor >= ALPHA else ""
-    return f"Nothing is shown about other data sets (clustered sign-flip p = {c.clustered_sign_flip_p:.2g}).{limit}"
+    p = f"clustered sign-flip p = {c.clustered_sign_flip_p:.2g}"
+    return f"Nothing is shown about other data sets ({p}).{limit}"
 
 
 def _p_value(c):
     if (c.units_interval[0] > 0) == (c.sign_flip_p < ALPHA):
         return None
-    return f"The interval and the sign-flip test (p = {c.sign_flip_p:.2g}) disagree: read the effect as borderline."
+    p = f"p = {c.sign_flip_p:.2g}"
+    return f"The interval and the sign-flip test ({p}) disagree: read the effect as borderline."
 
 
 def _hits(results):
     hits, rates = results[PRIMARY].hits["A-B"], results[PRIMARY].hit_rates
     return (
         f"The first winner lies in the focus in {rates['A']:.0%} of A and {rates['B']:.0%} of B "
-        f"(McNemar p = {hits.mcnemar_p:.2g} from {hits.only_first + hits.only_second} differing units)."
+        f"(McNemar p = {hits.mcnemar_p:.2g} "
+        f"from {hits.only_first + hits.only_second} differing units)."
     )
 
 
@@ -111,7 +146,8 @@ def _lens(results):
     comparison = results[PRIMARY].comparisons.get(("A-C", "nss"))
     if comparison is None:
         return None
+    figure = _figure(comparison.mean, comparison.units_interval)
     return (
-        f"Against {CONDITIONS['C']} the difference is {_figure(comparison.mean, comparison.units_interval)}; "
+        f"Against {CONDITIONS['C']} the difference is {figure}; "
         "it holds the lens and the style together."
     )
