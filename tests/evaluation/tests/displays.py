@@ -1,4 +1,6 @@
-"""Search displays with a known answer: a square array of like items, one of which may be odd. Mid-grey background."""
+"""Search displays with a known answer: a square array of like items, one of which may be odd.
+Mid-grey background.
+"""
 import cv2
 import numpy
 
@@ -16,8 +18,8 @@ def as_picture(eight_bit):
 
 
 def array(item, odd_item, odd_at, spacing=128):
-    """The display as a picture, and the odd item's position (x, y). odd_at: (column, row), or None for a display of like items.
-    item(picture, (x, y)) draws."""
+    """The display as a picture, and the odd item's position (x, y). odd_at: (column, row), or None
+    for a display of like items. item(picture, (x, y)) draws."""
     picture = blank()
     count = SIDE_PX // spacing
     for column in range(count):

@@ -8,8 +8,11 @@ from saliency import PRIMARY, SECOND_OPINION, Observation, analyse, judge
 from saliency.metrics import Scores
 
 
-def observations(effect, swapped=-0.4, data_sets=3, units=12, second_effect=None, spread=0.2, seed=1):
-    """Scores as if A exceeded B by `effect` in NSS under the primary model, and D exceeded B by `swapped`."""
+def observations(
+    effect, swapped=-0.4, data_sets=3, units=12, second_effect=None, spread=0.2, seed=1
+):
+    """Scores as if A exceeded B by `effect` in NSS under the primary model, and D exceeded B by
+    `swapped`."""
     generator = numpy.random.default_rng(seed)
     effects = {PRIMARY: effect, SECOND_OPINION: effect if second_effect is None else second_effect}
     for model, gain in effects.items():
@@ -18,8 +21,12 @@ def observations(effect, swapped=-0.4, data_sets=3, units=12, second_effect=None
                 place = generator.normal(1, 0.5)
                 for condition, mean in (("A", gain), ("B", 0), ("C", -0.1), ("D", swapped)):
                     nss = place + mean + generator.normal(0, spread)
-                    result = Scores(nss, 0.5 + nss / 10, 1 + nss, nss > 1, nss > 1, 1 if nss > 1 else None)
-                    yield Observation(f"volume {data_set}", f"view {unit}", condition, model, result)
+                    result = Scores(
+                        nss, 0.5 + nss / 10, 1 + nss, nss > 1, nss > 1, 1 if nss > 1 else None
+                    )
+                    yield Observation(
+                        f"volume {data_set}", f"view {unit}", condition, model, result
+                    )
 
 
 def verdict(*arguments, **named):
@@ -36,7 +43,9 @@ class Analysis(unittest.TestCase):
         self.assertLess(better.sign_flip_p, 0.001)
         self.assertGreater(worse.sign_flip_p, 0.999)
         self.assertEqual((better.units, better.data_sets), (36, 3))
-        self.assertAlmostEqual(result.means["A"]["nss"] - result.means["B"]["nss"], better.mean, places=9)
+        self.assertAlmostEqual(
+            result.means["A"]["nss"] - result.means["B"]["nss"], better.mean, places=9
+        )
 
     def test_pairing_removes_what_the_place_adds(self):
         comparison = analyse(list(observations(0.15)))[PRIMARY].comparisons["A-B", "nss"]
@@ -57,7 +66,11 @@ class Analysis(unittest.TestCase):
         self.assertEqual(analyse(ordered)[PRIMARY].as_dict(), analyse(shuffled)[PRIMARY].as_dict())
 
     def test_a_missing_picture_is_named(self):
-        some = [o for o in observations(0.3) if (o.data_set, o.unit, o.condition) != ("volume 1", "view 7", "B")]
+        some = [
+            o
+            for o in observations(0.3)
+            if (o.data_set, o.unit, o.condition) != ("volume 1", "view 7", "B")
+        ]
         with self.assertRaisesRegex(ValueError, "volume 1, view 7: lacks condition B"):
             analyse(some)
 
@@ -98,8 +111,12 @@ class Judgement(unittest.TestCase):
         self.assertIn("does not turn the sign", result.text)
 
     def test_many_data_sets_carry_further(self):
-        self.assertIn("It also holds with data sets as the sampled unit", verdict(0.5, data_sets=6).text)
+        self.assertIn(
+            "It also holds with data sets as the sampled unit", verdict(0.5, data_sets=6).text
+        )
 
     def test_a_small_sample_is_owned_up_to(self):
-        self.assertIn("smaller than planned: 8 units of 2 data sets", verdict(0.5, data_sets=2, units=4).text)
+        self.assertIn(
+            "smaller than planned: 8 units of 2 data sets", verdict(0.5, data_sets=2, units=4).text
+        )
         self.assertNotIn("smaller than planned", verdict(0.5).text)

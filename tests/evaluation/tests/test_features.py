@@ -31,8 +31,12 @@ class Colour(unittest.TestCase):
 
     def test_hue_does_not_change_with_the_light(self):
         bright, dim = pixel(0.9, 0.5, 0.3), pixel(0.45, 0.25, 0.15)
-        self.assertAlmostEqual(features.red_green(bright)[0, 0], features.red_green(dim)[0, 0], places=6)
-        self.assertAlmostEqual(features.blue_yellow(bright)[0, 0], features.blue_yellow(dim)[0, 0], places=6)
+        self.assertAlmostEqual(
+            features.red_green(bright)[0, 0], features.red_green(dim)[0, 0], places=6
+        )
+        self.assertAlmostEqual(
+            features.blue_yellow(bright)[0, 0], features.blue_yellow(dim)[0, 0], places=6
+        )
 
     def test_too_dark_for_a_hue(self):
         self.assertEqual(features.red_green(pixel(0.09, 0, 0))[0, 0], 0)
@@ -55,6 +59,9 @@ class Orientation(unittest.TestCase):
     def test_a_bar_answers_its_own_orientation_most(self):
         for shown in features.ORIENTATIONS_DEG:
             plane = one_bar(shown)
-            answers = {angle: features.orientation_energy(plane, angle)[32, 32] for angle in features.ORIENTATIONS_DEG}
+            answers = {
+                angle: features.orientation_energy(plane, angle)[32, 32]
+                for angle in features.ORIENTATIONS_DEG
+            }
             self.assertEqual(max(answers, key=answers.get), shown)
             self.assertGreater(answers[shown], 5 * answers[(shown + 90) % 180])

@@ -14,9 +14,15 @@ def overlap(first, second):
 
 class ProtoObject(unittest.TestCase):
     def test_it_is_about_the_square(self):
-        # At 4 pixels a sample and a threshold of 0.1 the region reaches one or two samples beyond a 30-pixel square; where such
-        # a square lies across the grid, a map with 16-pixel cells may win and overlap less.
-        for side, corner, least in ((30, (500, 300), 0.6), (30, (496, 304), 0.6), (60, (500, 300), 0.6), (100, (200, 420), 0.7)):
+        # At 4 pixels a sample and a threshold of 0.1 the region reaches one or two samples beyond a
+        # 30-pixel square; where such a square lies across the grid, a map with 16-pixel cells may
+        # win and overlap less.
+        for side, corner, least in (
+            (30, (500, 300), 0.6),
+            (30, (496, 304), 0.6),
+            (60, (500, 300), 0.6),
+            (100, (200, 420), 0.7),
+        ):
             picture, square = displays.squares(side, corner)
             region = fixations(saliency_maps(picture), 1)[0].proto_object
             self.assertGreater(overlap(region.mask_px, square), least)
@@ -29,17 +35,30 @@ class ProtoObject(unittest.TestCase):
                 if winner.proto_object is not None:
                     self.assertLess(winner.proto_object.mask_px.mean(), 1.2 * LARGEST_SHARE)
 
+    def test_a_region_that_would_is_no_region(self):
+        picture, _ = displays.squares(60, (500, 300))
+        winner = fixations(saliency_maps(picture, "single pass"), 1, theta=1e-6)[0]
+        self.assertIsNone(winner.proto_object)
+        x, y, radius = winner.circle_px()
+        self.assertEqual((x, y), winner.position_px)
+        self.assertAlmostEqual(radius, 768 / 6, delta=16)
+
     def test_a_lower_threshold_gives_a_larger_region(self):
         picture, _ = displays.squares(60, (500, 300))
         maps = saliency_maps(picture)
-        areas = [fixations(maps, 1, theta)[0].proto_object.mask_px.sum() for theta in (0.05, 0.1, 0.3, 0.6)]
+        areas = [
+            fixations(maps, 1, theta)[0].proto_object.mask_px.sum()
+            for theta in (0.05, 0.1, 0.3, 0.6)
+        ]
         self.assertEqual(areas, sorted(areas, reverse=True))
         self.assertGreater(areas[0], areas[-1])
 
     def test_cells_hold_the_region(self):
         picture, _ = displays.squares(60, (500, 300))
         region = fixations(saliency_maps(picture), 1)[0].proto_object
-        rows, columns = (numpy.rint(axis / 16).astype(int) for axis in numpy.nonzero(region.mask_px))
+        rows, columns = (
+            numpy.rint(axis / 16).astype(int) for axis in numpy.nonzero(region.mask_px)
+        )
         self.assertTrue(region.mask_cells[rows, columns].all())
         self.assertLess(region.mask_cells.sum() * 256, 4 * region.mask_px.sum())
 
@@ -67,6 +86,17 @@ class Order(unittest.TestCase):
         values = [winner.saliency for winner in winners]
         self.assertEqual(values, sorted(values, reverse=True))
         self.assertEqual(len({winner.cell for winner in winners}), 5)
+
+    def test_five_unless_told_otherwise(self):
+        self.assertEqual(len(fixations(saliency_maps(displays.scene(512)))), 5)
+
+    def test_a_shape_inhibits_less_than_a_disc(self):
+        # The squares lie 100 pixels apart; the disc reaches 130.
+        picture, _ = displays.squares(40, (300, 300), (400, 300))
+        maps = saliency_maps(picture)
+        first, second = fixations(maps, 2)
+        self.assertAlmostEqual(abs(first.position_px[0] - second.position_px[0]), 100, delta=20)
+        self.assertEqual(len(fixations(maps, 2, inhibition="disc")), 1)
 
     def test_discs_space_the_winners_out(self):
         maps = saliency_maps(displays.scene(512))

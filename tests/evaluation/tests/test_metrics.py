@@ -2,7 +2,16 @@ import unittest
 
 import numpy
 
-from saliency import centre_bias, detail, fixations, metrics, moved_masks, saliency_maps, scores, shuffled_nss
+from saliency import (
+    centre_bias,
+    detail,
+    fixations,
+    metrics,
+    moved_masks,
+    saliency_maps,
+    scores,
+    shuffled_nss,
+)
 
 from . import displays
 
@@ -18,9 +27,14 @@ QUARTER = mask_of((40, 40), slice(0, 20), slice(0, 20))
 
 class Maps(unittest.TestCase):
     def test_the_mask_itself_reaches_every_bound(self):
-        for focus, bound in ((QUARTER, 1.732), (mask_of((40, 50), slice(0, 10), slice(0, 10)), 4.359)):
+        for focus, bound in (
+            (QUARTER, 1.732),
+            (mask_of((40, 50), slice(0, 10), slice(0, 10)), 4.359),
+        ):
             saliency = focus.astype(numpy.float32)
-            self.assertAlmostEqual(metrics.nss(saliency, focus), metrics.largest_nss(focus), places=5)
+            self.assertAlmostEqual(
+                metrics.nss(saliency, focus), metrics.largest_nss(focus), places=5
+            )
             self.assertAlmostEqual(metrics.largest_nss(focus), bound, places=3)
             self.assertEqual(metrics.auc(saliency, focus), 1)
             self.assertAlmostEqual(metrics.mass_ratio(saliency, focus), 1 / focus.mean(), places=6)
@@ -50,7 +64,9 @@ class Maps(unittest.TestCase):
 
     def test_nss_and_auc_ignore_the_scale(self):
         saliency = numpy.random.default_rng(3).random(QUARTER.shape)
-        self.assertAlmostEqual(metrics.nss(saliency, QUARTER), metrics.nss(7 * saliency + 3, QUARTER), places=9)
+        self.assertAlmostEqual(
+            metrics.nss(saliency, QUARTER), metrics.nss(7 * saliency + 3, QUARTER), places=9
+        )
         self.assertEqual(metrics.auc(saliency, QUARTER), metrics.auc(7 * saliency + 3, QUARTER))
 
     def test_masks_that_mean_nothing_are_refused(self):
@@ -84,18 +100,24 @@ class Hits(unittest.TestCase):
     def test_nowhere(self):
         empty_corner = mask_of(self.squares.shape, slice(600, 700), slice(50, 150))
         result = scores(self.maps.saliency_px(), self.winners, empty_corner)
-        self.assertEqual((result.first_hit, result.proto_object_hit, result.hit_rank), (False, False, None))
+        self.assertEqual(
+            (result.first_hit, result.proto_object_hit, result.hit_rank), (False, False, None)
+        )
         self.assertLess(result.nss, 0)
 
     def test_one_cell_beside_the_focus_still_counts(self):
         x, y = (int(value) for value in self.winners[0].position_px)
         for distance, expected in ((15, True), (18, False)):
-            focus = mask_of(self.squares.shape, slice(y - 5, y + 5), slice(x + distance, x + distance + 30))
+            focus = mask_of(
+                self.squares.shape, slice(y - 5, y + 5), slice(x + distance, x + distance + 30)
+            )
             self.assertEqual(metrics.hit_rank(self.winners[:1], focus) == 1, expected)
 
     def test_no_winner_is_no_hit(self):
         result = scores(numpy.zeros(self.squares.shape), [], self.left)
-        self.assertEqual((result.first_hit, result.proto_object_hit, result.hit_rank), (False, False, None))
+        self.assertEqual(
+            (result.first_hit, result.proto_object_hit, result.hit_rank), (False, False, None)
+        )
 
 
 class Controls(unittest.TestCase):
@@ -112,7 +134,10 @@ class Controls(unittest.TestCase):
 
     def test_shuffling_costs_a_map_that_shows_the_focus(self):
         saliency = self.focus.astype(numpy.float32)
-        self.assertLess(shuffled_nss(saliency, moved_masks(self.focus, self.body)), 0.2 * metrics.nss(saliency, self.focus))
+        self.assertLess(
+            shuffled_nss(saliency, moved_masks(self.focus, self.body)),
+            0.2 * metrics.nss(saliency, self.focus),
+        )
 
     def test_a_focus_as_large_as_the_object_cannot_be_moved(self):
         self.assertEqual(moved_masks(self.body, self.body), [])

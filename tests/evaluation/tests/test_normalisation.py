@@ -22,7 +22,9 @@ class SinglePass(unittest.TestCase):
 
     def test_three_peaks(self):
         # Scaled to 10, 5 and 2: the others' mean is 3.5.
-        self.assertAlmostEqual(single_pass(peaks(1, 0.5, 0.2)).max(), 10 * (10 - 3.5) ** 2, places=3)
+        self.assertAlmostEqual(
+            single_pass(peaks(1, 0.5, 0.2)).max(), 10 * (10 - 3.5) ** 2, places=3
+        )
 
     def test_peaks_under_a_tenth_do_not_count(self):
         self.assertAlmostEqual(single_pass(peaks(1, 0.09)).max(), 1000, places=3)
@@ -45,7 +47,9 @@ class Iterative(unittest.TestCase):
 
     def test_the_scale_of_a_map_does_not_matter(self):
         plane = numpy.random.default_rng(2).random((50, 60), numpy.float32)
-        numpy.testing.assert_allclose(iterative(plane), iterative(0.01 * plane), rtol=1e-3, atol=1e-4)
+        numpy.testing.assert_allclose(
+            iterative(plane), iterative(0.01 * plane), rtol=1e-3, atol=1e-4
+        )
 
     def test_a_strong_peak_gains_on_many_weak_ones(self):
         plane = numpy.zeros((64, 64), numpy.float32)

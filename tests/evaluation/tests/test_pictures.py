@@ -32,7 +32,9 @@ class Files(unittest.TestCase):
 
     def test_grey_files_have_three_channels(self):
         cv2.imwrite(str(self.path), numpy.full((4, 6), 51, numpy.uint8))
-        numpy.testing.assert_allclose(read_picture(self.path), numpy.full((4, 6, 3), 0.2), atol=1e-6)
+        numpy.testing.assert_allclose(
+            read_picture(self.path), numpy.full((4, 6, 3), 0.2), atol=1e-6
+        )
 
     def test_a_file_that_is_no_picture_is_named(self):
         self.path.write_text("no picture")
@@ -45,7 +47,9 @@ class Drawing(unittest.TestCase):
         picture, _ = displays.squares(60, (500, 300))
         drawn = draw_fixations(picture, fixations(saliency_maps(picture), 1))
         changed = numpy.argwhere(numpy.abs(drawn - picture).max(axis=2) > 0.1)
-        self.assertTrue((changed.min(axis=0) > (200, 400)).all() and (changed.max(axis=0) < (420, 640)).all())
+        self.assertTrue(
+            (changed.min(axis=0) > (200, 400)).all() and (changed.max(axis=0) < (420, 640)).all()
+        )
 
     def test_heat_grows_from_black_to_white(self):
         heat = heat_map(numpy.linspace(0, 2, 50)[None])

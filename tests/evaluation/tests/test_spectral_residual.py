@@ -10,8 +10,8 @@ from . import displays
 
 
 def by_definition(rgb, added=0):
-    """The paper's formula in double precision with OpenCV's order of the last steps: smooth, square, divide by the maximum.
-    added: to the amplitudes, before their logarithm."""
+    """The paper's formula in double precision with OpenCV's order of the last steps: smooth,
+    square, divide by the maximum. added: to the amplitudes, before their logarithm."""
     rows = round(64 * rgb.shape[0] / rgb.shape[1])
     grey = 255 * cv2.resize(rgb @ LUMA, (64, rows), interpolation=cv2.INTER_AREA)
     spectrum = numpy.fft.fft2(grey)
@@ -25,8 +25,12 @@ def by_definition(rgb, added=0):
 class SpectralResidual(unittest.TestCase):
     def test_agrees_with_its_definition(self):
         for picture in (displays.scene(512), displays.scene(640)[:480]):
-            numpy.testing.assert_allclose(spectral_residual(picture), by_definition(picture, added=1), atol=1e-3)
-            numpy.testing.assert_allclose(spectral_residual(picture), by_definition(picture), atol=0.03)
+            numpy.testing.assert_allclose(
+                spectral_residual(picture), by_definition(picture, added=1), atol=1e-3
+            )
+            numpy.testing.assert_allclose(
+                spectral_residual(picture), by_definition(picture), atol=0.03
+            )
 
     def test_keeps_the_aspect(self):
         self.assertEqual(spectral_residual(displays.scene(640)[:480]).shape, (48, 64))
@@ -52,4 +56,6 @@ class SpectralResidual(unittest.TestCase):
             self.assertLess(numpy.hypot(winner.position_px[0] - x, winner.position_px[1] - y), 48)
 
     def test_at_pixels(self):
-        self.assertEqual(to_pixels(spectral_residual(displays.scene(640)[:480]), (480, 640, 3)).shape, (480, 640))
+        self.assertEqual(
+            to_pixels(spectral_residual(displays.scene(640)[:480]), (480, 640, 3)).shape, (480, 640)
+        )

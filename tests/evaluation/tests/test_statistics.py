@@ -28,12 +28,19 @@ class SignFlip(unittest.TestCase):
     def test_random_flips_agree_with_the_normal_limit(self):
         differences = normal(60, 0.2)
         z = differences.sum() / numpy.sqrt((differences**2).sum())
-        self.assertAlmostEqual(statistics.sign_flip_p(differences), statistics.scipy.stats.norm.sf(z), delta=0.01)
+        self.assertAlmostEqual(
+            statistics.sign_flip_p(differences), statistics.scipy.stats.norm.sf(z), delta=0.01
+        )
+
+    def test_random_flips_never_give_zero(self):
+        self.assertEqual(statistics.sign_flip_p(numpy.ones(40)), 1 / 100_001)
 
     def test_clusters_bound_p_from_below(self):
         for clusters, least in ((3, 1 / 8), (5, 1 / 32)):
             names = numpy.repeat([f"volume {n}" for n in range(clusters)], 12)
-            self.assertEqual(statistics.clustered_sign_flip_p(numpy.ones(12 * clusters), names), least)
+            self.assertEqual(
+                statistics.clustered_sign_flip_p(numpy.ones(12 * clusters), names), least
+            )
 
     def test_it_keeps_its_level(self):
         rejected = [statistics.sign_flip_p(normal(10, 0, seed)) <= 0.05 for seed in range(600)]
@@ -58,8 +65,12 @@ class Bootstrap(unittest.TestCase):
 
     def test_the_seed_decides(self):
         values = normal(30)
-        self.assertEqual(statistics.bootstrap_interval(values, 4), statistics.bootstrap_interval(values, 4))
-        self.assertNotEqual(statistics.bootstrap_interval(values, 4), statistics.bootstrap_interval(values, 5))
+        self.assertEqual(
+            statistics.bootstrap_interval(values, 4), statistics.bootstrap_interval(values, 4)
+        )
+        self.assertNotEqual(
+            statistics.bootstrap_interval(values, 4), statistics.bootstrap_interval(values, 5)
+        )
 
     def test_equal_values_have_no_width(self):
         self.assertEqual(statistics.bootstrap_interval(numpy.full(9, 2.0)), (2, 2))
