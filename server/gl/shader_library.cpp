@@ -10,7 +10,7 @@ namespace cutaway::gl {
 
 namespace {
 
-using Files = std::map<std::string, std::string_view, std::less<>>;
+using Files = std::map<std::string, std::string, std::less<>>;
 
 /// Walks one shader and its includes; each file is put in at its first include only.
 class Expansion {
@@ -37,7 +37,7 @@ class Expansion {
     const auto number = names_.size();
     names_.emplace_back(name);
     if (number > 0) mark_line(1, number);
-    append_lines(std::string(found->second), number);
+    append_lines(found->second, number);
   }
 
   void append_lines(const std::string& content, std::size_t number) {

@@ -18,10 +18,13 @@ struct ExpandedShader {
   std::vector<std::string> file_names;
 };
 
-/// Immutable; any thread.
+/// Immutable once it is filled; then any thread.
 class ShaderLibrary {
  public:
   explicit ShaderLibrary(std::span<const EmbeddedFile> files);
+
+  /// A file that is written at start-up, such as one made from a registry.
+  void add(std::string name, std::string text) { files_[std::move(name)] = std::move(text); }
 
   /// The file with each `#include "name"` (or `#include NAME` of a definition) replaced, once per
   /// file, and `#define NAME VALUE` lines for `definitions` put after `#version`. Throws Error
@@ -30,7 +33,7 @@ class ShaderLibrary {
                         const std::map<std::string, std::string>& definitions = {}) const;
 
  private:
-  std::map<std::string, std::string_view, std::less<>> files_;
+  std::map<std::string, std::string, std::less<>> files_;
 };
 
 /// A driver's compile log with its "0:12(3)" (Mesa) or "0(12)" (NVIDIA) prefixes turned into

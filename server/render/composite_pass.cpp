@@ -1,19 +1,40 @@
 #include "render/composite_pass.h"
 
+#include "render/lenses/lens_registry.h"
+
 namespace cutaway {
 
 CompositePass::CompositePass(const gl::ShaderLibrary& shaders)
-    : program_(shaders, "fullscreen.vert", "composite.frag") {}
+    : plain_(shaders, "fullscreen.vert", "composite.frag") {
+  for (const LensShape& shape : lens_shapes()) {
+    const std::string file = "\"" + std::string(shape.shader) + "\"";
+    magic_.emplace(shape.name,
+                   Entry{&shape, gl::Program(shaders, "fullscreen.vert", "composite_magic.frag",
+                                             {{"LENS_SHAPE", file}})});
+  }
+}
 
-void CompositePass::run(const Background& background, const gl::Texture2D& context,
-                        const gl::Texture2D& focus, const gl::Framebuffer& target,
-                        const gl::FullscreenTriangle& triangle) {
-  program_.use();
-  program_.set_texture("context_colour", 0, context.name());
-  program_.set_texture("focus_colour", 1, focus.name());
-  program_.set("background_colour", glm::vec3(background.colour));
+void CompositePass::run(const CompositeKey& key, const gl::Framebuffer& target,
+                        const gl::FullscreenTriangle& triangle) const {
+  const gl::Program& program = prepared(key);
+  program.use();
+  program.set_texture("context_colour", 0, key.context_texture->name());
+  program.set_texture("focus_colour", 1, key.focus_texture->name());
+  program.set("background_colour", glm::vec3(key.background.colour));
   target.bind();
   triangle.draw();
+}
+
+const gl::Program& CompositePass::prepared(const CompositeKey& key) const {
+  if (!key.magic) return plain_;
+  const Lens& lens = key.magic->lens;
+  const Entry& entry = magic_.at(lens.shape.name);
+  entry.program.set("lens_strength", static_cast<float>(lens.strength));
+  entry.program.set("lens_softness", static_cast<float>(lens.softness));
+  entry.program.set("lens_strict", lens.strict ? 1 : 0);
+  entry.shape->set_parameters(entry.program, lens);
+  set_view_rays(entry.program, key.magic->rays);
+  return entry.program;
 }
 
 }  // namespace cutaway

@@ -8,15 +8,38 @@ namespace cutaway {
 
 namespace {
 
+/// The lens as far as rays are concerned: moving a slider of the composite casts none.
+Lens region_of(const Lens& lens) {
+  const Lens defaults;
+  Lens region = lens;
+  region.strength = defaults.strength;
+  region.softness = defaults.softness;
+  region.strict = defaults.strict;
+  return region;
+}
+
+std::array<Look, kBranches> looks_of(const Scene& scene) {
+  const glm::vec3 light = light_direction_patient(scene.light, scene.camera);
+  return {Look{scene.context.shading, light}, Look{scene.focus.shading, light}};
+}
+
 RayCastKey ray_cast_key(const Scene& scene, const GpuVolume& volume,
                         const RenderSettings& settings) {
-  return {.volume = volume.identity(),
-          .rays = view_rays(scene.camera, scene.viewport, volume.volume().geometry),
-          .context_iso_value = scene.context.iso_value,
-          .focus_iso_value = scene.focus.iso_value,
-          .lens = scene.lens,
-          .step_voxels = settings.step_voxels,
-          .skip_empty_space = settings.skip_empty_space};
+  RayCastKey key{.volume = volume.identity(),
+                 .rays = view_rays(scene.camera, scene.viewport, volume.volume().geometry),
+                 .surfaces = {scene.context.surface, scene.focus.surface},
+                 .looks = {},
+                 .lens = region_of(scene.lens),
+                 .step_voxels = settings.step_voxels,
+                 .skip_empty_space = settings.skip_empty_space};
+  if (scene.context.surface.opacity < 1.0 || scene.focus.surface.opacity < 1.0)
+    key.looks = looks_of(scene);
+  return key;
+}
+
+std::optional<MagicLens> magic_lens(const Scene& scene, const ViewRays& rays) {
+  if (scene.lens.mode != LensMode::magic) return std::nullopt;
+  return MagicLens{scene.lens, rays};
 }
 
 }  // namespace
@@ -31,9 +54,10 @@ StageCounts ViewState::counts() const {
 }
 
 FramePipeline::FramePipeline()
-    : shaders_(embedded_shaders()),
+    : shaders_(shader_library()),
       ray_cast_pass_(shaders_),
       shade_pass_(shaders_),
+      resolve_pass_(shaders_),
       filter_pass_(shaders_),
       composite_pass_(shaders_),
       convert_pass_(shaders_) {}
@@ -46,12 +70,17 @@ void FramePipeline::render(ViewState& view, const Scene& scene, GpuVolume& volum
   }
   const RayCastKey rays = ray_cast_key(scene, volume, settings);
   const std::uint64_t surface = cast_rays(view, rays, volume);
-  const glm::vec3 light = light_direction_patient(scene.light, scene.camera);
-  const auto context = draw_branch(view, kContext, scene.context,
-                                   {surface, rays.rays, scene.context.shading, light}, settings);
-  const auto focus = draw_branch(view, kFocus, scene.focus,
-                                 {surface, rays.rays, scene.focus.shading, light}, settings);
-  composite(view, scene, context, focus);
+  const auto looks = looks_of(scene);
+  const auto branch = [&](BranchIndex index, const Branch& described) {
+    const auto shaded = rays.is_translucent()
+                            ? resolve(view, index, surface, settings)
+                            : shade(view, index, {surface, rays.rays, looks[index]}, settings);
+    return filter(view, index, described.filters, shaded, settings);
+  };
+  const auto context = branch(kContext, scene.context);
+  const auto focus = branch(kFocus, scene.focus);
+  composite(view, {context.version, focus.version, context.texture, focus.texture, scene.background,
+                   magic_lens(scene, rays.rays)});
   convert(view, settings.layout);
 }
 
@@ -62,37 +91,52 @@ std::uint64_t FramePipeline::cast_rays(ViewState& view, const RayCastKey& key, G
   });
 }
 
-ViewState::BranchPicture FramePipeline::draw_branch(ViewState& view, BranchIndex index,
-                                                    const Branch& branch, const ShadeKey& key,
-                                                    const RenderSettings& settings) {
+ViewState::BranchPicture FramePipeline::shade(ViewState& view, BranchIndex index,
+                                              const ShadeKey& key, const RenderSettings& settings) {
   const BranchBuffers& buffers = view.buffers_->branches[index];
-  ViewState::Branch& stages = view.branches_[index];
-  const std::uint64_t shaded = stages.shade.run(key, [&] {
-    shade_pass_.run(key, buffers, settings.supersampling, triangle_);
+  const std::uint64_t version = view.branches_[index].shade.run(key, [&] {
+    shade_pass_.run(key, index, buffers, settings.supersampling, triangle_);
     ran("shade");
   });
-  ViewState::BranchPicture picture{&buffers.shaded, shaded};
-  if (stages.filters.size() < branch.filters.size()) stages.filters.resize(branch.filters.size());
-  for (std::size_t i = 0; i < branch.filters.size(); ++i) {
+  return {&buffers.shaded, version};
+}
+
+ViewState::BranchPicture FramePipeline::resolve(ViewState& view, BranchIndex index,
+                                                std::uint64_t layers_version,
+                                                const RenderSettings& settings) {
+  const BranchBuffers& buffers = view.buffers_->branches[index];
+  const ShadeKey key{.surface_version = layers_version, .rays = {}, .look = {}};
+  const std::uint64_t version = view.branches_[index].shade.run(key, [&] {
+    resolve_pass_.run(buffers, settings.supersampling, triangle_);
+    ran("resolve");
+  });
+  return {&buffers.shaded, version};
+}
+
+ViewState::BranchPicture FramePipeline::filter(ViewState& view, BranchIndex index,
+                                               const std::vector<Module>& filters,
+                                               ViewState::BranchPicture picture,
+                                               const RenderSettings& settings) {
+  const BranchBuffers& buffers = view.buffers_->branches[index];
+  auto& stages = view.branches_[index].filters;
+  const std::uint64_t shaded = picture.version;
+  if (stages.size() < filters.size()) stages.resize(filters.size());
+  for (std::size_t i = 0; i < filters.size(); ++i) {
     const ColourTarget& target = view.buffers_->filtered(index, i);
-    const FilterKey filter{picture.version, shaded, branch.filters[i], settings.resolution_scale};
-    picture.version = stages.filters[i].run(filter, [&] {
-      filter_pass_.run(filter, *picture.texture, buffers.silhouette, target.framebuffer, triangle_);
-      ran(branch.filters[i].name.c_str());
+    const FilterKey key{picture.version, shaded, filters[i], settings.resolution_scale};
+    picture.version = stages[i].run(key, [&] {
+      filter_pass_.run(key, {*picture.texture, buffers.silhouette, buffers.surface},
+                       target.framebuffer, triangle_);
+      ran(filters[i].name.c_str());
     });
     picture.texture = &target.texture;
   }
   return picture;
 }
 
-void FramePipeline::composite(ViewState& view, const Scene& scene,
-                              const ViewState::BranchPicture& context,
-                              const ViewState::BranchPicture& focus) {
-  const CompositeKey key{context.version, focus.version, context.texture, focus.texture,
-                         scene.background};
+void FramePipeline::composite(ViewState& view, const CompositeKey& key) {
   view.composite_.run(key, [&] {
-    composite_pass_.run(scene.background, *context.texture, *focus.texture,
-                        view.buffers_->picture.framebuffer, triangle_);
+    composite_pass_.run(key, view.buffers_->picture.framebuffer, triangle_);
     ran("composite");
   });
 }

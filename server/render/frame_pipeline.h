@@ -13,6 +13,7 @@
 #include "render/gpu_volume.h"
 #include "render/ray_cast_pass.h"
 #include "render/render_settings.h"
+#include "render/resolve_pass.h"
 #include "render/shade_pass.h"
 #include "render/stage.h"
 
@@ -74,10 +75,14 @@ class FramePipeline {
 
  private:
   std::uint64_t cast_rays(ViewState& view, const RayCastKey& key, GpuVolume& volume);
-  ViewState::BranchPicture draw_branch(ViewState& view, BranchIndex index, const Branch& branch,
-                                       const ShadeKey& key, const RenderSettings& settings);
-  void composite(ViewState& view, const Scene& scene, const ViewState::BranchPicture& context,
-                 const ViewState::BranchPicture& focus);
+  ViewState::BranchPicture shade(ViewState& view, BranchIndex index, const ShadeKey& key,
+                                 const RenderSettings& settings);
+  ViewState::BranchPicture resolve(ViewState& view, BranchIndex index, std::uint64_t layers_version,
+                                   const RenderSettings& settings);
+  ViewState::BranchPicture filter(ViewState& view, BranchIndex index,
+                                  const std::vector<Module>& filters,
+                                  ViewState::BranchPicture picture, const RenderSettings& settings);
+  void composite(ViewState& view, const CompositeKey& key);
   void convert(ViewState& view, PixelLayout layout);
   void ran(const char* stage) const;
 
@@ -85,6 +90,7 @@ class FramePipeline {
   gl::ShaderLibrary shaders_;
   RayCastPass ray_cast_pass_;
   ShadePass shade_pass_;
+  ResolvePass resolve_pass_;
   FilterPass filter_pass_;
   CompositePass composite_pass_;
   ConvertPass convert_pass_;

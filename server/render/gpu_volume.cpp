@@ -69,25 +69,25 @@ void GpuVolume::set_uniforms(const gl::Program& program, int unit) const {
   program.set("volume_direction", glm::mat3(geometry.direction_patient));
 }
 
-void GpuVolume::set_empty_space(const gl::Program& program, int unit, double context_iso,
-                                double focus_iso) {
-  program.set_texture("distance_maps[0]", unit, distance_map(context_iso));
-  program.set_texture("distance_maps[1]", unit + 1, distance_map(focus_iso));
+void GpuVolume::set_empty_space(const gl::Program& program, int unit, const ValueBand& context,
+                                const ValueBand& focus) {
+  program.set_texture("distance_maps[0]", unit, distance_map(context));
+  program.set_texture("distance_maps[1]", unit + 1, distance_map(focus));
   program.set("brick_size", static_cast<float>(loaded_->min_max.brick_size));
   program.set("size_bricks", loaded_->min_max.size_bricks);
 }
 
-GLuint GpuVolume::distance_map(double iso_value) {
-  const auto known = std::ranges::find(distance_maps_, iso_value, &DistanceMap::iso_value);
+GLuint GpuVolume::distance_map(const ValueBand& band) {
+  const auto known = std::ranges::find(distance_maps_, band, &DistanceMap::band);
   if (known != distance_maps_.end()) {
     distance_maps_.splice(distance_maps_.begin(), distance_maps_, known);
     return distance_maps_.front().texture.name();
   }
-  const auto distances = chebyshev_distance_map(loaded_->min_max, iso_value);
+  const auto distances = chebyshev_distance_map(loaded_->min_max, band);
   const glm::ivec3 size = loaded_->min_max.size_bricks;
   gl::Texture3D texture(GL_R8UI, size, gl::Filtering::nearest);
   texture.upload_slices(0, size.z, GL_RED_INTEGER, GL_UNSIGNED_BYTE, distances.data());
-  distance_maps_.push_front({iso_value, std::move(texture)});
+  distance_maps_.push_front({band, std::move(texture)});
   if (distance_maps_.size() > kKeptDistanceMaps) distance_maps_.pop_back();
   return distance_maps_.front().texture.name();
 }

@@ -27,17 +27,18 @@ class GpuVolume {
   /// Uniforms of shaders/volume.glsl; the texture goes to `unit`.
   void set_uniforms(const gl::Program& program, int unit) const;
 
-  /// Uniforms of shaders/empty_space.glsl for the iso-values of context and focus; the maps go to
-  /// `unit` and `unit` + 1. A map is computed at its first use and kept while it is among the most
+  /// Uniforms of shaders/empty_space.glsl for the bands of context and focus; the maps go to `unit`
+  /// and `unit` + 1. A map is computed at its first use and kept while it is among the most
   /// recently used.
-  void set_empty_space(const gl::Program& program, int unit, double context_iso, double focus_iso);
+  void set_empty_space(const gl::Program& program, int unit, const ValueBand& context,
+                       const ValueBand& focus);
 
  private:
   struct DistanceMap {
-    double iso_value;
+    ValueBand band;
     gl::Texture3D texture;
   };
-  GLuint distance_map(double iso_value);
+  GLuint distance_map(const ValueBand& band);
 
   std::shared_ptr<const LoadedVolume> loaded_;
   gl::Texture3D texture_;

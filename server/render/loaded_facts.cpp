@@ -9,10 +9,10 @@ namespace cutaway {
 namespace {
 
 std::optional<glm::dvec3> first_point(const Volume& volume, const PatientRay& ray,
-                                      double iso_value) {
+                                      const ValueBand& band) {
   const auto limits = intersect_grid(volume.geometry, ray);
   if (!limits) return std::nullopt;
-  const auto distance_mm = first_surface_mm(volume, ray, iso_value, *limits);
+  const auto distance_mm = first_surface_mm(volume, ray, band, *limits);
   if (!distance_mm) return std::nullopt;
   return ray.origin_mm + *distance_mm * ray.direction;
 }
@@ -31,8 +31,8 @@ VolumeFacts facts_of(std::shared_ptr<const LoadedVolume> loaded) {
                     .outer_iso_value = loaded->surfaces.outer_iso_value,
                     .inner_iso_value = loaded->surfaces.inner_iso_value};
   facts.first_surface_mm = [held = std::move(loaded)](glm::dvec3 origin_mm, glm::dvec3 direction,
-                                                      double iso_value) {
-    return first_point(held->volume, {origin_mm, direction}, iso_value);
+                                                      const ValueBand& band) {
+    return first_point(held->volume, {origin_mm, direction}, band);
   };
   return facts;
 }

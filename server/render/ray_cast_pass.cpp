@@ -3,20 +3,42 @@
 #include <algorithm>
 
 #include "render/lenses/lens_registry.h"
+#include "render/shading/shading_registry.h"
 
 namespace cutaway {
 
 namespace {
 
-/// One secant step and this many bisections: 1/16 of a step at worst, far less on the usual nearly
-/// linear ramp.
+/// Of the surface's position between two samples; the usual, nearly linear ramp needs two.
 constexpr int kRefinementSteps = 5;
 
+/// Above every stored value.
+constexpr float kNoUpperLimit = 3e38F;
+
+int mode_number(const Lens& lens) {
+  if (lens.mode == LensMode::none || lens.radius_mm <= 0.0) return 0;
+  return lens.mode == LensMode::cutaway ? 1 : 2;
+}
+
 void set_lens(const gl::Program& program, const LensShape& shape, const Lens& lens) {
-  program.set("lens_enabled", lens.mode != LensMode::none && lens.radius_mm > 0.0 ? 1 : 0);
+  program.set("lens_mode", mode_number(lens));
   program.set("flat_caps", lens.cap == LensCap::flat ? 1 : 0);
   program.set("open_caps", lens.cap == LensCap::open ? 1 : 0);
   shape.set_parameters(program, lens);
+}
+
+void set_bands(const gl::Program& program, const RayCastKey& key, const GpuVolume& volume) {
+  glm::vec2 lower;
+  glm::vec2 upper;
+  for (int i = 0; i < static_cast<int>(kBranches); ++i) {
+    const ValueBand& band = key.surfaces[i].band;
+    lower[i] = volume.to_stored(band.lower);
+    upper[i] = band.has_upper_end() ? volume.to_stored(band.upper) : kNoUpperLimit;
+    const std::string name = "has_upper_limit[" + std::to_string(i) + "]";
+    program.set(name.c_str(), band.has_upper_end() ? 1 : 0);
+  }
+  program.set("lower_limits", lower);
+  program.set("upper_limits", upper);
 }
 
 void set_search(const gl::Program& program, const RayCastKey& key, const GpuVolume& volume) {
@@ -25,33 +47,47 @@ void set_search(const gl::Program& program, const RayCastKey& key, const GpuVolu
   program.set("step_mm", static_cast<float>(key.step_voxels * smallest_mm));
   program.set("refinement_steps", kRefinementSteps);
   program.set("skip_empty_space", key.skip_empty_space ? 1 : 0);
-  program.set("iso_values", glm::vec2(volume.to_stored(key.context_iso_value),
-                                      volume.to_stored(key.focus_iso_value)));
+  set_bands(program, key, volume);
+}
+
+void set_looks(const gl::Program& program, const RayCastKey& key) {
+  program.set("opacities", glm::vec2(key.surfaces[kContext].opacity, key.surfaces[kFocus].opacity));
+  program.set("light_direction", key.looks->at(kContext).light_direction);
+  for (const BranchIndex branch : {kContext, kFocus})
+    set_shading(program, branch, key.looks->at(branch).shading);
 }
 
 }  // namespace
 
 RayCastPass::RayCastPass(const gl::ShaderLibrary& shaders) {
   for (const LensShape& shape : lens_shapes()) {
-    const std::string file = "\"" + std::string(shape.shader) + "\"";
-    programs_.emplace(shape.name,
-                      Entry{&shape, gl::Program(shaders, "fullscreen.vert", "ray_cast.frag",
-                                                {{"LENS_SHAPE", file}})});
+    const std::map<std::string, std::string> definitions = {
+        {"LENS_SHAPE", "\"" + std::string(shape.shader) + "\""}};
+    programs_.emplace(
+        shape.name,
+        Entry{&shape, gl::Program(shaders, "fullscreen.vert", "ray_cast.frag", definitions),
+              gl::Program(shaders, "fullscreen.vert", "ray_cast_translucent.frag", definitions)});
   }
 }
 
-void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, const ViewBuffers& buffers,
-                      const gl::FullscreenTriangle& triangle) {
+void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, ViewBuffers& buffers,
+                      const gl::FullscreenTriangle& triangle) const {
   const Entry& entry = programs_.at(key.lens.shape.name);
-  const gl::Program& program = entry.program;
+  const gl::Program& program = key.is_translucent() ? entry.translucent : entry.opaque;
   program.use();
   volume.set_uniforms(program, 0);
-  volume.set_empty_space(program, 1, key.context_iso_value, key.focus_iso_value);
+  volume.set_empty_space(program, 1, key.surfaces[kContext].band, key.surfaces[kFocus].band);
   set_view_rays(program, key.rays);
   program.set("surface_size_px", buffers.surface_size_px());
   set_search(program, key, volume);
   set_lens(program, *entry.shape, key.lens);
-  buffers.surface_target.bind();
+  if (key.is_translucent()) {
+    set_looks(program, key);
+    buffers.prepare_layers();
+    buffers.layers_target.bind();
+  } else {
+    buffers.surface_target.bind();
+  }
   triangle.draw();
 }
 

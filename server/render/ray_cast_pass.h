@@ -1,40 +1,48 @@
-// First stage: rays against both branches' surfaces.
+// First stage: rays against both branches' material.
 #pragma once
 
+#include <array>
 #include <map>
+#include <optional>
 
 #include "render/gpu_volume.h"
 #include "render/lenses/lens_shape.h"
+#include "render/shade_pass.h"
 #include "render/view_buffers.h"
 #include "render/view_rays.h"
 
 namespace cutaway {
 
-/// All that the surface buffers depend on.
+/// All that the stage's buffers depend on.
 struct RayCastKey {
   const LoadedVolume* volume = nullptr;
   ViewRays rays{};
-  double context_iso_value = 0.0;
-  double focus_iso_value = 0.0;
-  Lens lens;
+  std::array<Surface, kBranches> surfaces;
+  /// Where a branch lets light through, layers are coloured on the way; nothing else looks here.
+  std::optional<std::array<Look, kBranches>> looks;
+  Lens lens;  ///< only what shapes its region; what is left to the composite is at its defaults
   double step_voxels = 1.0;
   bool skip_empty_space = true;
   bool operator==(const RayCastKey&) const = default;
+
+  bool is_translucent() const { return looks.has_value(); }
 };
 
-/// Source: S. Stegmaier et al., "A Simple and Flexible Volume Rendering Framework for
+/// Opaque branches leave a surface, which is coloured later; translucent ones their layers, already
+/// coloured. Source: S. Stegmaier et al., "A Simple and Flexible Volume Rendering Framework for
 /// Graphics-Hardware-based Raycasting", Volume Graphics 2005; refinement after M. Hadwiger et al.,
 /// "Real-Time Ray-Casting and Advanced Shading of Discrete Isosurfaces", Eurographics 2005.
 class RayCastPass {
  public:
   explicit RayCastPass(const gl::ShaderLibrary& shaders);
-  void run(const RayCastKey& key, GpuVolume& volume, const ViewBuffers& buffers,
-           const gl::FullscreenTriangle& triangle);
+  void run(const RayCastKey& key, GpuVolume& volume, ViewBuffers& buffers,
+           const gl::FullscreenTriangle& triangle) const;
 
  private:
   struct Entry {
     const LensShape* shape;
-    gl::Program program;
+    gl::Program opaque;
+    gl::Program translucent;
   };
   std::map<std::string, Entry, std::less<>> programs_;  ///< by lens shape
 };

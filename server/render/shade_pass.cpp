@@ -4,25 +4,18 @@
 
 namespace cutaway {
 
-ShadePass::ShadePass(const gl::ShaderLibrary& shaders) {
-  for (const ShadingModel& model : shading_models()) {
-    const std::string file = "\"" + std::string(model.shader) + "\"";
-    programs_.emplace(model.name,
-                      Entry{&model, gl::Program(shaders, "fullscreen.vert", "shade.frag",
-                                                {{"SHADING_MODEL", file}})});
-  }
-}
+ShadePass::ShadePass(const gl::ShaderLibrary& shaders)
+    : program_(shaders, "fullscreen.vert", "shade.frag") {}
 
-void ShadePass::run(const ShadeKey& key, const BranchBuffers& branch, int supersampling,
-                    const gl::FullscreenTriangle& triangle) {
-  const Entry& entry = programs_.at(key.shading.name);
-  const gl::Program& program = entry.program;
-  program.use();
-  program.set_texture("surface_texture", 0, branch.surface.name());
-  program.set("supersampling", supersampling);
-  program.set("light_direction", key.light_direction);
-  set_view_rays(program, key.rays);
-  entry.model->set_parameters(program, key.shading.parameters);
+void ShadePass::run(const ShadeKey& key, BranchIndex index, const BranchBuffers& branch,
+                    int supersampling, const gl::FullscreenTriangle& triangle) const {
+  program_.use();
+  program_.set_texture("surface_texture", 0, branch.surface.name());
+  program_.set("branch", static_cast<int>(index));
+  program_.set("supersampling", supersampling);
+  program_.set("light_direction", key.look.light_direction);
+  set_view_rays(program_, key.rays);
+  set_shading(program_, index, key.look.shading);
   branch.shade_target.bind();
   triangle.draw();
 }

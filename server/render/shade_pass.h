@@ -1,35 +1,35 @@
 // Second stage: one branch's surface into colour.
 #pragma once
 
-#include <map>
-
-#include "render/shading/shading_model.h"
+#include "gl/program.h"
 #include "render/view_buffers.h"
 #include "render/view_rays.h"
 #include "scene/scene.h"
 
 namespace cutaway {
 
+/// How a branch's points are coloured.
+struct Look {
+  Module shading;
+  glm::vec3 light_direction{0.0F};  ///< unit, towards the light, patient space
+  bool operator==(const Look&) const = default;
+};
+
 struct ShadeKey {
   std::uint64_t surface_version = 0;  ///< of the ray cast, whose rays are these
   ViewRays rays{};
-  Module shading;
-  glm::vec3 light_direction{0.0F};  ///< unit, towards the light, patient space
+  Look look;
   bool operator==(const ShadeKey&) const = default;
 };
 
 class ShadePass {
  public:
   explicit ShadePass(const gl::ShaderLibrary& shaders);
-  void run(const ShadeKey& key, const BranchBuffers& branch, int supersampling,
-           const gl::FullscreenTriangle& triangle);
+  void run(const ShadeKey& key, BranchIndex index, const BranchBuffers& branch, int supersampling,
+           const gl::FullscreenTriangle& triangle) const;
 
  private:
-  struct Entry {
-    const ShadingModel* model;
-    gl::Program program;
-  };
-  std::map<std::string, Entry, std::less<>> programs_;
+  gl::Program program_;
 };
 
 }  // namespace cutaway

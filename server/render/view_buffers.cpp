@@ -43,6 +43,14 @@ ColourTarget& ViewBuffers::filtered(BranchIndex branch, std::size_t index) {
   return targets[index];
 }
 
+void ViewBuffers::prepare_layers() {
+  if (branches[kContext].layers.name() != 0) return;
+  for (BranchBuffers& branch : branches)
+    branch.layers = gl::Texture2D(GL_RGBA32F, surface_size_px(), gl::Filtering::nearest);
+  layers_target = gl::Framebuffer({&branches[kContext].surface, &branches[kFocus].surface,
+                                   &branches[kContext].layers, &branches[kFocus].layers});
+}
+
 void ViewBuffers::prepare_planes(PixelLayout layout) {
   if (layout == PixelLayout::rgba) return;
   if (cb.size_px() == chroma_size_px(layout) && luma.texture.size_px() == luma_size_px(layout))

@@ -23,6 +23,7 @@ struct ColourTarget {
 
 struct BranchBuffers {
   gl::Texture2D surface;     ///< RGBA32F, see shaders/branches.glsl
+  gl::Texture2D layers;      ///< RGBA32F, of translucent material: premultiplied colour, opacity
   gl::Texture2D shaded;      ///< RGBA16F: display-encoded colour, coverage
   gl::Texture2D silhouette;  ///< R8: coverage as if no lens had taken anything away
   gl::Framebuffer shade_target;
@@ -43,11 +44,14 @@ class ViewBuffers {
 
   /// Makes sure that each branch has a target for its filter number `index`.
   ColourTarget& filtered(BranchIndex branch, std::size_t index);
+  /// Makes sure that both branches' layers and their target exist.
+  void prepare_layers();
   /// Makes sure that the planes of `layout` exist.
   void prepare_planes(PixelLayout layout);
 
   std::array<BranchBuffers, kBranches> branches;
   gl::Framebuffer surface_target;  ///< both branches' surfaces
+  gl::Framebuffer layers_target;   ///< both branches' surfaces, then their layers
   ColourTarget picture;            ///< RGBA8
   ColourTarget luma;               ///< R8
   gl::Texture2D cb;

@@ -39,16 +39,17 @@ struct ProbedRay {
   }
 };
 
-double distance_to_surface_mm(const VolumeFacts& volume, const ViewRay& ray, double iso_value) {
-  const auto point = volume.first_surface_mm(ray.origin_mm, ray.direction, iso_value);
+double distance_to_surface_mm(const VolumeFacts& volume, const ViewRay& ray,
+                              const ValueBand& band) {
+  const auto point = volume.first_surface_mm(ray.origin_mm, ray.direction, band);
   return point ? glm::distance(ray.origin_mm, *point) : kNoHit;
 }
 
 ProbedRay probe(const VolumeFacts& volume, const LensPlacementView& view, glm::dvec2 position_px) {
   ProbedRay probed{.ray = ray_through(view.camera, view.viewport, position_px)};
-  probed.context_mm = distance_to_surface_mm(volume, probed.ray, view.context_iso_value);
+  probed.context_mm = distance_to_surface_mm(volume, probed.ray, view.context);
   if (probed.context_mm != kNoHit)
-    probed.focus_mm = distance_to_surface_mm(volume, probed.ray, view.focus_iso_value);
+    probed.focus_mm = distance_to_surface_mm(volume, probed.ray, view.focus);
   const glm::dvec2 middle_px{0.5 * view.viewport.width_px, 0.5 * view.viewport.height_px};
   probed.off_middle =
       glm::distance(position_px, middle_px) / std::max(1.0, std::min(middle_px.x, middle_px.y));

@@ -10,8 +10,8 @@ namespace cutaway {
 struct LensPlacementView {
   Camera camera;
   Viewport viewport;
-  double context_iso_value = 0.0;
-  double focus_iso_value = 0.0;
+  ValueBand context;
+  ValueBand focus;
 };
 
 /// Patient space, mm.

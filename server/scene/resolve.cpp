@@ -60,19 +60,41 @@ Camera resolve_camera(const Json& document, const VolumeFacts& volume, Viewport 
   return camera;
 }
 
-double iso_value_of(const Json& branch, double chosen) {
-  const Json& surface = branch.at("surface");
+double iso_value_of(const Json& surface, double chosen) {
   if (surface.contains("iso_value")) return surface.at("iso_value").get<double>();
   const NumberRange range =
       number_range("scene", "/properties/focus/properties/surface/properties/iso_value");
   return std::clamp(chosen, range.minimum, range.maximum);
 }
 
-Branch resolve_branch(const Json& document, double chosen_iso_value) {
+Surface resolve_surface(const Json& document, double chosen_iso_value, const std::string& branch) {
+  Surface surface;
+  surface.band.lower = iso_value_of(document, chosen_iso_value);
+  surface.opacity = document.at("opacity").get<double>();
+  if (!document.contains("upper_value")) return surface;
+  surface.band.upper = document.at("upper_value").get<double>();
+  if (surface.band.upper > surface.band.lower) return surface;
+  refuse(("/" + branch + "/surface/upper_value").c_str(), "the band is empty",
+         ("a value above iso_value, which is " + json_text(surface.band.lower)).c_str(),
+         document.at("upper_value"));
+}
+
+void refuse_repeated_filters(const std::vector<Module>& filters, const std::string& branch) {
+  for (std::size_t i = 0; i < filters.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (filters[i].name != filters[k].name) continue;
+      refuse(("/" + branch + "/filters/" + std::to_string(i)).c_str(), "the filter is there twice",
+             "each filter once", filters[i].name);
+    }
+  }
+}
+
+Branch resolve_branch(const Json& document, double chosen_iso_value, const std::string& name) {
   Branch branch;
-  branch.iso_value = iso_value_of(document, chosen_iso_value);
+  branch.surface = resolve_surface(document.at("surface"), chosen_iso_value, name);
   branch.shading = module_from(document.at("shading"));
   for (const Json& filter : document.at("filters")) branch.filters.push_back(module_from(filter));
+  refuse_repeated_filters(branch.filters, name);
   return branch;
 }
 
@@ -81,11 +103,14 @@ Lens resolve_lens(const Json& document, const VolumeFacts& volume, const Scene& 
   lens.mode = document.at("mode").get<LensMode>();
   lens.shape = module_from(document.at("shape"));
   lens.cap = document.at("cap").get<LensCap>();
+  lens.strength = document.at("strength").get<double>();
+  lens.softness = document.at("softness").get<double>();
+  lens.strict = document.at("strict").get<bool>();
   if (document.contains("radius_mm")) lens.radius_mm = document.at("radius_mm").get<double>();
   if (document.contains("centre_mm")) lens.centre_mm = vector_from(document.at("centre_mm"));
   if (document.contains("radius_mm") && document.contains("centre_mm")) return lens;
-  const LensPlacementView view{scene.camera, scene.viewport, scene.context.iso_value,
-                               scene.focus.iso_value};
+  const LensPlacementView view{scene.camera, scene.viewport, scene.context.surface.band,
+                               scene.focus.surface.band};
   const PlacedLens chosen = chosen_lens(
       volume, view, document.contains("radius_mm") ? std::optional(lens.radius_mm) : std::nullopt);
   if (!document.contains("radius_mm")) lens.radius_mm = chosen.radius_mm;
@@ -112,8 +137,8 @@ Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport vi
   scene.volume = complete.value("volume", volume.id);
   scene.viewport = viewport;
   scene.camera = resolve_camera(complete.at("camera"), volume, viewport);
-  scene.focus = resolve_branch(complete.at("focus"), volume.inner_iso_value);
-  scene.context = resolve_branch(complete.at("context"), volume.outer_iso_value);
+  scene.focus = resolve_branch(complete.at("focus"), volume.inner_iso_value, "focus");
+  scene.context = resolve_branch(complete.at("context"), volume.outer_iso_value, "context");
   scene.lens = resolve_lens(complete.at("lens"), volume, scene);
   scene.light = resolve_light(complete.at("light"));
   scene.background.colour = vector_from(complete.at("background").at("colour"));

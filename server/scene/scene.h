@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/value_band.h"
 #include "scene/json.h"
 
 namespace cutaway {
@@ -38,15 +39,22 @@ struct Viewport {
   bool operator==(const Viewport&) const = default;
 };
 
+/// The material that a branch draws.
+struct Surface {
+  ValueBand band;        ///< physical values
+  double opacity = 1.0;  ///< of one millimetre; 1: opaque from its surface on
+  bool operator==(const Surface&) const = default;
+};
+
 /// One of the two ways in which a point of the volume can be drawn.
 struct Branch {
-  double iso_value = 0.0;  ///< physical; the surface is where the value rises to it
+  Surface surface;
   Module shading;
   std::vector<Module> filters;  ///< in the order they run
   bool operator==(const Branch&) const = default;
 };
 
-enum class LensMode { none, cutaway };
+enum class LensMode { none, cutaway, magic };
 enum class LensCap { flat, gradient, open };
 
 struct Lens {
@@ -55,6 +63,9 @@ struct Lens {
   glm::dvec3 centre_mm{0.0};
   double radius_mm = 0.0;
   LensCap cap = LensCap::flat;
+  double strength = 0.85;  ///< magic: the focus' share in the middle, 0..1
+  double softness = 0.35;  ///< magic: share of the radius over which it fades out, 0..1
+  bool strict = false;     ///< magic: the context fades where the focus is empty, too
   bool operator==(const Lens&) const = default;
 };
 

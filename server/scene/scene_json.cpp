@@ -15,10 +15,16 @@ Json json_from(const Camera& camera) {
           {"view_height_mm", camera.view_height_mm}};
 }
 
+Json json_from(const Surface& surface) {
+  Json object{{"iso_value", surface.band.lower}, {"opacity", surface.opacity}};
+  if (surface.band.has_upper_end()) object["upper_value"] = surface.band.upper;
+  return object;
+}
+
 Json json_from(const Branch& branch) {
   Json filters = Json::array();
   for (const Module& filter : branch.filters) filters.push_back(module_json(filter));
-  return {{"surface", {{"iso_value", branch.iso_value}}},
+  return {{"surface", json_from(branch.surface)},
           {"shading", module_json(branch.shading)},
           {"filters", std::move(filters)}};
 }
@@ -28,7 +34,10 @@ Json json_from(const Lens& lens) {
           {"shape", module_json(lens.shape)},
           {"centre_mm", vector_json(lens.centre_mm)},
           {"radius_mm", lens.radius_mm},
-          {"cap", lens.cap}};
+          {"cap", lens.cap},
+          {"strength", lens.strength},
+          {"softness", lens.softness},
+          {"strict", lens.strict}};
 }
 
 Json json_from(const Light& light) {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "core/value_band.h"
+
 namespace cutaway {
 
 /// Patient space, mm; physical values.
@@ -18,9 +20,9 @@ struct VolumeFacts {
   double maximum_value = 0.0;
   double outer_iso_value = 0.0;  ///< context by default: skin
   double inner_iso_value = 0.0;  ///< focus by default: bone
-  /// First point on the ray (origin, unit direction) where the value reaches the iso-value.
-  /// Thread-safe.
-  std::function<std::optional<glm::dvec3>(glm::dvec3, glm::dvec3, double)> first_surface_mm;
+  /// First point on the ray (origin, unit direction) where the value enters the band. Thread-safe.
+  std::function<std::optional<glm::dvec3>(glm::dvec3, glm::dvec3, const ValueBand&)>
+      first_surface_mm;
 };
 
 }  // namespace cutaway

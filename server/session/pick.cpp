@@ -33,37 +33,44 @@ std::optional<Stretch> inside_lens(const Lens& lens, const ViewRay& ray) {
   return Stretch{begin, half - along, PickedBranch::focus, begin > 0.0};
 }
 
-// A cap that is left open is not seen from behind: the surface counts only where the value rises to
-// it again.
-std::optional<double> past_open_cap(const OpenVolume& volume, const ViewRay& ray, double iso_value,
-                                    const Stretch& stretch) {
+// A cap that is left open is not seen from behind: the surface counts only where the value enters
+// the band again.
+std::optional<double> past_open_cap(const OpenVolume& volume, const ViewRay& ray,
+                                    const ValueBand& band, const Stretch& stretch) {
   const double step_mm = volume.facts().diagonal_mm / 1000.0;
   const double end = std::min(stretch.end, stretch.begin + (2.0 * volume.facts().diagonal_mm));
   for (double distance = stretch.begin; distance <= end; distance += step_mm) {
     const auto value = volume.value_at(ray.origin_mm + (distance * ray.direction));
-    if (!value || *value < iso_value) return distance;
+    if (!value || !band.contains(*value)) return distance;
   }
   return std::nullopt;
 }
 
-double iso_value_of(const Scene& scene, PickedBranch branch) {
-  return branch == PickedBranch::focus ? scene.focus.iso_value : scene.context.iso_value;
+const ValueBand& band_of(const Scene& scene, PickedBranch branch) {
+  return (branch == PickedBranch::focus ? scene.focus : scene.context).surface.band;
 }
 
 std::optional<PickHit> first_hit(const Scene& scene, const OpenVolume& volume, const ViewRay& ray,
                                  const Stretch& stretch) {
-  const double iso_value = iso_value_of(scene, stretch.branch);
+  const ValueBand& band = band_of(scene, stretch.branch);
   std::optional<double> begin = stretch.begin;
   if (stretch.begins_at_lens && scene.lens.cap == LensCap::open) {
-    begin = past_open_cap(volume, ray, iso_value, stretch);
+    begin = past_open_cap(volume, ray, band, stretch);
   }
   if (!begin) return std::nullopt;
   const auto position = volume.facts().first_surface_mm(ray.origin_mm + (*begin * ray.direction),
-                                                        ray.direction, iso_value);
+                                                        ray.direction, band);
   if (!position) return std::nullopt;
   const double distance = glm::dot(*position - ray.origin_mm, ray.direction);
   if (distance > stretch.end) return std::nullopt;
-  return PickHit{*position, iso_value, stretch.branch};
+  return PickHit{*position, band.lower, stretch.branch};
+}
+
+// The Magic Lens shows the whole ray's focus, and the context where there is none.
+std::optional<PickHit> pick_under_magic_lens(const Scene& scene, const OpenVolume& volume,
+                                             const ViewRay& ray) {
+  const auto focus = first_hit(scene, volume, ray, {.begin = 0.0, .branch = PickedBranch::focus});
+  return focus ? focus : first_hit(scene, volume, ray, Stretch{});
 }
 
 }  // namespace
@@ -72,6 +79,7 @@ std::optional<PickHit> pick(const Scene& scene, const OpenVolume& volume, glm::d
   const ViewRay ray = ray_through(scene.camera, scene.viewport, position_px);
   const std::optional<Stretch> lens = inside_lens(scene.lens, ray);
   if (!lens) return first_hit(scene, volume, ray, Stretch{});
+  if (scene.lens.mode == LensMode::magic) return pick_under_magic_lens(scene, volume, ray);
   const std::array stretches = {Stretch{0.0, lens->begin, PickedBranch::context, false}, *lens,
                                 Stretch{lens->end, kEndless, PickedBranch::context, true}};
   for (const Stretch& stretch : stretches) {

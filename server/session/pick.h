@@ -11,7 +11,7 @@ namespace cutaway {
 
 struct PickHit {
   glm::dvec3 position_mm;
-  double iso_value;  ///< of the surface that was hit
+  double limit_value;  ///< of the surface that was hit
   PickedBranch branch;
 };
 

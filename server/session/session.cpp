@@ -143,7 +143,7 @@ void Session::handle(const PickMessage& message) {
   if (hit) {
     point =
         PickedPoint{.position_mm = hit->position_mm,
-                    .value = state_.volume()->value_at(hit->position_mm).value_or(hit->iso_value),
+                    .value = state_.volume()->value_at(hit->position_mm).value_or(hit->limit_value),
                     .units = state_.volume()->units(),
                     .branch = hit->branch};
   }

@@ -8,10 +8,11 @@ namespace {
 
 constexpr int kFarthest = 255;
 
-std::vector<std::uint8_t> mark_bricks(const MinMaxGrid& grid, double iso_value) {
+std::vector<std::uint8_t> mark_bricks(const MinMaxGrid& grid, const ValueBand& band) {
   std::vector<std::uint8_t> distances(grid.minimum.size());
   for (std::size_t i = 0; i < distances.size(); ++i) {
-    distances[i] = grid.maximum[i] >= iso_value ? 0 : kFarthest;
+    const bool holds_some = grid.maximum[i] > band.lower && grid.minimum[i] < band.upper;
+    distances[i] = holds_some ? 0 : kFarthest;
   }
   return distances;
 }
@@ -65,8 +66,8 @@ class LineSearch {
 
 }  // namespace
 
-std::vector<std::uint8_t> chebyshev_distance_map(const MinMaxGrid& grid, double iso_value) {
-  std::vector<std::uint8_t> distances = mark_bricks(grid, iso_value);
+std::vector<std::uint8_t> chebyshev_distance_map(const MinMaxGrid& grid, const ValueBand& band) {
+  std::vector<std::uint8_t> distances = mark_bricks(grid, band);
   const std::span<std::uint8_t> all(distances);
   const std::size_t row = grid.size_bricks.x;
   const std::size_t plane = row * grid.size_bricks.y;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "core/value_band.h"
 #include "volume/volume.h"
 
 namespace cutaway {
@@ -28,12 +29,11 @@ MinMaxGrid build_min_max_grid(const Volume& volume, int brick_size, const Progre
 BoundingBox bounds_reaching_mm(const MinMaxGrid& grid, const VolumeGeometry& geometry,
                                double value);
 
-/// Chebyshev distance, in bricks, from each brick to the nearest one that reaches the iso-value
-/// (maximum >= iso): 0 for such a brick itself, saturated at 255. A sample in a brick of distance D
-/// may skip to the exit of the cube of (2D-1) bricks centred on it. Bricks wholly above the
-/// iso-value count as reached: a ray's first sample beyond a thin wall may lie in one. Source: L.
-/// Deakin, M. Knackstedt, "Accelerated Volume Rendering with Chebyshev Distance Maps", SIGGRAPH
-/// Asia 2019 Technical Briefs.
-std::vector<std::uint8_t> chebyshev_distance_map(const MinMaxGrid& grid, double iso_value);
+/// Chebyshev distance, in bricks, from each brick to the nearest one that holds some of the band: 0
+/// for such a brick itself, saturated at 255. A sample in a brick of distance D may skip to the
+/// exit of the cube of (2D-1) bricks centred on it: values in there are all below the band or all
+/// above it. Source: L. Deakin, M. Knackstedt, "Accelerated Volume Rendering with Chebyshev
+/// Distance Maps", SIGGRAPH Asia 2019 Technical Briefs.
+std::vector<std::uint8_t> chebyshev_distance_map(const MinMaxGrid& grid, const ValueBand& band);
 
 }  // namespace cutaway

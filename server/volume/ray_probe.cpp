@@ -42,7 +42,7 @@ std::optional<RayInterval> intersect_grid(const VolumeGeometry& geometry, const 
 }
 
 std::optional<double> first_surface_mm(const Volume& volume, const PatientRay& ray,
-                                       double iso_value, RayInterval limits) {
+                                       const ValueBand& band, RayInterval limits) {
   constexpr int kBisections = 20;
   const std::optional<RayInterval> grid = intersect_grid(volume.geometry, ray);
   if (!grid) return std::nullopt;
@@ -50,23 +50,24 @@ std::optional<double> first_surface_mm(const Volume& volume, const PatientRay& r
   if (inside.begin_mm > inside.end_mm) return std::nullopt;
 
   const PatientRay local = to_index(volume.geometry, ray);
-  const auto reached = [&](double distance_mm) {
-    return sample(volume, local.origin_mm + distance_mm * local.direction) >= iso_value;
+  const auto side = [&](double distance_mm) {
+    return band.side(sample(volume, local.origin_mm + distance_mm * local.direction));
   };
-  if (reached(inside.begin_mm)) return inside.begin_mm;
+  const int before = side(inside.begin_mm);
+  if (before == 0) return inside.begin_mm;
 
   const glm::dvec3 spacing = volume.geometry.spacing_mm;
   const double step_mm = 0.5 * std::min({spacing.x, spacing.y, spacing.z});
   double outside_mm = inside.begin_mm;
   for (long i = 1; outside_mm < inside.end_mm; ++i) {
     double here_mm = std::min(inside.begin_mm + double(i) * step_mm, inside.end_mm);
-    if (!reached(here_mm)) {
+    if (side(here_mm) == before) {
       outside_mm = here_mm;
       continue;
     }
     for (int k = 0; k < kBisections; ++k) {
       const double middle_mm = 0.5 * (outside_mm + here_mm);
-      (reached(middle_mm) ? here_mm : outside_mm) = middle_mm;
+      (side(middle_mm) != before ? here_mm : outside_mm) = middle_mm;
     }
     return here_mm;
   }

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/value_band.h"
 #include "volume/volume.h"
 
 namespace cutaway {
@@ -21,10 +22,11 @@ struct RayInterval {
 /// misses.
 std::optional<RayInterval> intersect_grid(const VolumeGeometry& geometry, const PatientRay& ray);
 
-/// Distance along the ray to the first point within `limits` where the value reaches `iso_value`
-/// (>=), marching half the smallest spacing and refining by bisection; the start itself counts
-/// where the value is already reached there.
+/// Distance along the ray to the first point within `limits` where the value enters the band,
+/// marching half the smallest spacing and refining by bisection; the start itself counts where it
+/// lies in the band already. A band that is jumped over between two samples is met where its first
+/// limit is crossed.
 std::optional<double> first_surface_mm(const Volume& volume, const PatientRay& ray,
-                                       double iso_value, RayInterval limits);
+                                       const ValueBand& band, RayInterval limits);
 
 }  // namespace cutaway

@@ -27,7 +27,7 @@ std::vector<Texel> texels_of(const BranchImage& image, Function&& function) {
 
 BranchImage filtered_on_gpu(const BranchImage& input, const Module& filter) {
   GpuHarness::instance();
-  FilterPass pass{gl::ShaderLibrary(embedded_shaders())};
+  FilterPass pass{shader_library()};
   const gl::FullscreenTriangle triangle;
   const glm::ivec2 size = input.size_px;
   const gl::Texture2D colour(GL_RGBA16F, size, gl::Filtering::nearest);
@@ -42,7 +42,12 @@ BranchImage filtered_on_gpu(const BranchImage& input, const Module& filter) {
   glTextureSubImage2D(colour.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, colours.data());
   glTextureSubImage2D(silhouette.name(), 0, 0, 0, size.x, size.y, GL_RED, GL_FLOAT,
                       coverages.data());
-  pass.run({.filter = filter}, colour, silhouette, target, triangle);
+  const gl::Texture2D surface(GL_RGBA32F, size, gl::Filtering::nearest);
+  const auto surfaces = texels_of<glm::vec4>(input, [](const BranchPixel& p) {
+    return glm::vec4(p.normal, p.coverage > 0.0 ? p.depth_mm : -1.0);
+  });
+  glTextureSubImage2D(surface.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, surfaces.data());
+  pass.run({.filter = filter}, {colour, silhouette, surface}, target, triangle);
   std::vector<glm::vec4> result(input.pixels.size());
   glGetTextureImage(output.name(), 0, GL_RGBA, GL_FLOAT,
                     static_cast<GLsizei>(result.size() * sizeof(glm::vec4)), result.data());
@@ -63,10 +68,13 @@ Module filter(const Json& document) {
 Module kuwahara(int radius) { return filter({{"name", "kuwahara"}, {"radius", radius}}); }
 
 Module sobel(double strength, const char* mode, const char* norm = "raw",
-             const char* gradient = "l1") {
+             const char* gradient = "l1", const char* source = "colour", bool silhouettes = true) {
   return filter({{"name", "sobel"},
                  {"strength", strength},
                  {"mode", mode},
+                 {"source", source},
+                 {"silhouettes", silhouettes},
+                 {"depth_step_mm", 50.0},
                  {"norm", norm},
                  {"gradient", gradient}});
 }
@@ -176,7 +184,9 @@ BranchImage random_picture(unsigned seed) {
     pixel = {
         {representable(level(random)), representable(level(random)), representable(level(random))},
         1.0,
-        1.0};
+        1.0,
+        glm::normalize(glm::dvec3(level(random), level(random), level(random)) - 0.4),
+        300.0 + 40.0 * level(random)};
   }
   return image;
 }
@@ -188,7 +198,11 @@ TEST(Filters, AreTheReferencesOnRandomPictures) {
                                     kuwahara(7),
                                     sobel(0.7, "darken"),
                                     sobel(1.0, "brighten", "unit", "l2"),
-                                    sobel(0.4, "multiply", "raw", "l2")};
+                                    sobel(0.4, "multiply", "raw", "l2"),
+                                    sobel(0.7, "darken", "unit", "l2", "luma", false),
+                                    sobel(0.7, "darken", "unit", "l1", "depth"),
+                                    sobel(0.7, "brighten", "unit", "l2", "depth", false),
+                                    sobel(0.6, "darken", "unit", "l1", "normal", false)};
   for (const Module& module : filters) {
     for (const unsigned seed : {1U, 2U}) {
       const BranchImage input = random_picture(seed);

@@ -73,23 +73,29 @@ double edge_magnitude(const std::array<double, 9>& n, bool euclidean) {
   return euclidean ? std::hypot(across, down) : std::abs(across) + std::abs(down);
 }
 
+glm::dvec3 feature(const BranchPixel& pixel, const Sobel& parameters) {
+  if (parameters.source == "luma") return glm::dvec3(brightness(pixel.colour));
+  if (parameters.source == "depth") return glm::dvec3(pixel.depth_mm / parameters.depth_step_mm);
+  return parameters.source == "normal" ? pixel.normal : pixel.colour;
+}
+
 /// Edge strength of each colour channel, with the silhouette's put in.
 glm::dvec3 edges(const BranchImage& input, glm::ivec2 at, const Sobel& parameters) {
   std::array<std::array<double, 9>, 4> channels{};
   for (int i = 0; i < 9; ++i) {
     const BranchPixel& pixel = input.clamped(at + glm::ivec2(i % 3 - 1, i / 3 - 1));
-    const glm::dvec3 colour = pixel.coverage > 0.0 ? pixel.colour : input.at(at).colour;
-    for (int c = 0; c < 3; ++c) channels[c][i] = colour[c];
-    channels[3][i] = pixel.silhouette_coverage;
+    const glm::dvec3 value = feature(pixel.coverage > 0.0 ? pixel : input.at(at), parameters);
+    for (int c = 0; c < 3; ++c) channels[c][i] = value[c];
+    channels[3][i] = parameters.silhouettes ? pixel.silhouette_coverage : 1.0;
   }
   const double gain = parameters.unit_norm ? 0.25 : 1.0;
-  const double silhouette = std::min(1.0, gain * edge_magnitude(channels[3], parameters.euclidean));
-  glm::dvec3 result;
-  for (int c = 0; c < 3; ++c) {
-    result[c] = std::max(silhouette,
-                         std::min(1.0, gain * edge_magnitude(channels[c], parameters.euclidean)));
-  }
-  return result;
+  const auto edge = [&](int channel) {
+    return std::min(1.0, gain * edge_magnitude(channels[channel], parameters.euclidean));
+  };
+  glm::dvec3 lines(edge(0), edge(1), edge(2));
+  if (parameters.source == "depth" || parameters.source == "normal")
+    lines = glm::dvec3(std::max({lines.x, lines.y, lines.z}));
+  return glm::max(lines, glm::dvec3(edge(3)));
 }
 
 }  // namespace
@@ -134,6 +140,9 @@ BranchImage apply_filter(const BranchImage& input, const Module& filter, double 
   if (filter.name == "sobel") {
     return sobel(input, {.strength = parameters.at("strength").get<double>(),
                          .mode = parameters.at("mode").get<std::string>(),
+                         .source = parameters.at("source").get<std::string>(),
+                         .silhouettes = parameters.at("silhouettes").get<bool>(),
+                         .depth_step_mm = parameters.at("depth_step_mm").get<double>(),
                          .unit_norm = parameters.at("norm") == "unit",
                          .euclidean = parameters.at("gradient") == "l2"});
   }

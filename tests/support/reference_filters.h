@@ -10,7 +10,10 @@ BranchImage kuwahara(const BranchImage& input, int radius_px);
 
 struct Sobel {
   double strength = 0.7;
-  std::string mode = "darken";  ///< darken, brighten, multiply
+  std::string mode = "darken";    ///< darken, brighten, multiply
+  std::string source = "colour";  ///< colour, luma, depth, normal
+  bool silhouettes = true;
+  double depth_step_mm = 100.0;
   bool unit_norm = false;
   bool euclidean = false;
 };

@@ -7,11 +7,13 @@
 namespace cutaway::reference {
 
 /// Display-encoded colour, not premultiplied, with its coverage, and the coverage as if no lens had
-/// cut anything away.
+/// cut anything away; means over the rays that meet the branch of its surface there.
 struct BranchPixel {
   glm::dvec3 colour{0.0};
   double coverage = 0.0;
   double silhouette_coverage = 0.0;
+  glm::dvec3 normal{0.0};
+  double depth_mm = 0.0;
 };
 
 /// Rows top first.

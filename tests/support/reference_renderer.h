@@ -5,6 +5,7 @@
 
 #include "scene/scene.h"
 #include "support/reference_image.h"
+#include "support/reference_layers.h"
 #include "volume/volume.h"
 
 namespace cutaway::reference {
@@ -16,17 +17,8 @@ struct Settings {
   double step_voxels = 1.0;
 };
 
-enum class Label { background, context, focus };
-
-struct SurfaceSample {
-  Label label = Label::background;
-  double distance_mm = 0.0;
-  glm::dvec3 normal{0.0};         ///< patient space, towards the viewer
-  bool lens_was_crossed = false;  ///< the ray went through the lens before it ended
-};
-
 struct Result {
-  Image<SurfaceSample> surface;  ///< one sample a ray
+  Image<RayLayers> rays;
   ColourImage picture;
 };
 

@@ -49,6 +49,15 @@ glm::dvec3 phong(const Json& parameters, glm::dvec3 normal, glm::dvec3 to_light,
   return glm::clamp(colour(parameters, "colour") * lit + spot, 0.0, 1.0);
 }
 
+glm::dvec3 gooch(const Json& parameters, double cosine) {
+  const auto value = [&](const char* name) { return parameters.at(name).get<double>(); };
+  const glm::dvec3 surface = colour(parameters, "colour");
+  const glm::dvec3 cool = glm::dvec3(0.0, 0.0, value("blue")) + value("alpha") * surface;
+  const glm::dvec3 warm =
+      glm::dvec3(value("yellow"), value("yellow"), 0.0) + value("beta") * surface;
+  return glm::clamp(glm::mix(cool, warm, std::clamp((1.0 + cosine) / 2.0, 0.0, 1.0)), 0.0, 1.0);
+}
+
 }  // namespace
 
 double tone_position(double u, double detail) {
@@ -58,6 +67,7 @@ double tone_position(double u, double detail) {
 glm::dvec3 shade(const Module& shading, glm::dvec3 normal, glm::dvec3 to_light,
                  glm::dvec3 to_viewer) {
   if (shading.name == "tone") return tone(shading.parameters, glm::dot(normal, to_light));
+  if (shading.name == "gooch") return gooch(shading.parameters, glm::dot(normal, to_light));
   if (shading.name == "phong") return phong(shading.parameters, normal, to_light, to_viewer);
   throw std::logic_error("the reference has no shading model " + shading.name);
 }

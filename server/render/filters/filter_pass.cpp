@@ -11,14 +11,14 @@ FilterPass::FilterPass(const gl::ShaderLibrary& shaders) {
   }
 }
 
-void FilterPass::run(const FilterKey& key, const gl::Texture2D& colour,
-                     const gl::Texture2D& silhouette, const gl::Framebuffer& target,
-                     const gl::FullscreenTriangle& triangle) {
+void FilterPass::run(const FilterKey& key, const FilterInput& input, const gl::Framebuffer& target,
+                     const gl::FullscreenTriangle& triangle) const {
   const Entry& entry = programs_.at(key.filter.name);
   const gl::Program& program = entry.program;
   program.use();
-  program.set_texture("colour_texture", 0, colour.name());
-  program.set_texture("silhouette_texture", 1, silhouette.name());
+  program.set_texture("colour_texture", 0, input.colour.name());
+  program.set_texture("silhouette_texture", 1, input.silhouette.name());
+  program.set_texture("surface_texture", 2, input.surface.name());
   entry.filter->set_parameters(program, key.filter.parameters, key.resolution_scale);
   target.bind();
   triangle.draw();

@@ -11,17 +11,24 @@ namespace cutaway {
 
 struct FilterKey {
   std::uint64_t input_version = 0;  ///< of the shading or of the filter before
-  std::uint64_t shade_version = 0;  ///< of the silhouette coverage
+  std::uint64_t shade_version = 0;  ///< of the surface and the silhouette coverage
   Module filter;
   double resolution_scale = 1.0;
   bool operator==(const FilterKey&) const = default;
 };
 
+/// What shaders/filter.glsl reads.
+struct FilterInput {
+  const gl::Texture2D& colour;      ///< the branch's picture so far
+  const gl::Texture2D& silhouette;  ///< coverage as if no lens had taken anything away
+  const gl::Texture2D& surface;     ///< supersampling^2 texels a pixel
+};
+
 class FilterPass {
  public:
   explicit FilterPass(const gl::ShaderLibrary& shaders);
-  void run(const FilterKey& key, const gl::Texture2D& colour, const gl::Texture2D& silhouette,
-           const gl::Framebuffer& target, const gl::FullscreenTriangle& triangle);
+  void run(const FilterKey& key, const FilterInput& input, const gl::Framebuffer& target,
+           const gl::FullscreenTriangle& triangle) const;
 
  private:
   struct Entry {

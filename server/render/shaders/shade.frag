@@ -1,18 +1,16 @@
 #version 450 core
-// Turns one branch's surface into colour. Each pixel averages supersampling^2 surface samples; SHADING_MODEL says how
-// one of them looks.
+// Turns one branch's surface into colour. Each pixel averages supersampling^2 surface samples.
 
 #include "branches.glsl"
+#include "shade.glsl"
 #include "view_ray.glsl"
 
 uniform sampler2D surface_texture;
+uniform int branch;
 uniform int supersampling;
-uniform vec3 light_direction;  // unit, towards the light, patient space
 
 layout(location = 0) out vec4 shaded;               // display-encoded colour, not premultiplied; coverage
 layout(location = 1) out float silhouette_coverage;  // coverage as if no lens had taken anything away
-
-#include SHADING_MODEL
 
 void main() {
   vec2 size_px = vec2(textureSize(surface_texture, 0));
@@ -26,7 +24,7 @@ void main() {
       vec4 surface = texelFetch(surface_texture, pixel, 0);
       if (holds(surface)) {
         vec3 to_viewer = -view_direction(vec2(pixel) + 0.5, size_px);
-        colour_sum += shade(surface.xyz, to_viewer);
+        colour_sum += shade(branch, surface.xyz, to_viewer);
         held += 1.0;
       } else if (surface.w == REASON_OTHER_BRANCH) {
         taken_by_lens += 1.0;

@@ -1,6 +1,8 @@
-// Finding where a value first rises to a branch's iso-value within a stretch of the ray.
+// Finding where a value first enters a branch's band within a stretch of the ray.
 
-uniform vec2 iso_values;      // stored units, by branch
+uniform vec2 lower_limits;   // of the bands, stored units, by branch
+uniform vec2 upper_limits;   // without an upper end: larger than any value
+uniform bool has_upper_limit[2];
 uniform float step_mm;
 uniform int refinement_steps;
 
@@ -14,46 +16,68 @@ struct Stretch {
   bool starts_open;   // the material at the begin does not count; its surface must be entered first
 };
 
+// Where a value lies: below the band, in it, above it.
+const int BELOW = -1;
+const int IN_BAND = 0;
+const int ABOVE = 1;
+
+int band_side(int branch, float value) {
+  return value <= lower_limits[branch] ? BELOW : value >= upper_limits[branch] ? ABOVE : IN_BAND;
+}
+
 float value_along(Ray ray, float distance_mm) {
   return stored_value(ray.origin_index + distance_mm * ray.index_per_mm);
 }
 
-// The crossing within [low, high], where the value is below the iso-value at low and not below it at high: one
-// secant step for the usual nearly linear ramp, then bisection with the bracket kept.
-float refine(Ray ray, float iso_value, float low_mm, float high_mm) {
-  float low_value = value_along(ray, low_mm);
-  float high_value = value_along(ray, high_mm);
-  float guess_mm = mix(low_mm, high_mm, clamp((iso_value - low_value) / max(high_value - low_value, 1e-12), 0.0, 1.0));
+// The crossing of a limit within [near, far] by a value that has left `side` at far: regula falsi in the Illinois variant,
+// which halves the weight of an end that stays, so that both ends close in.
+float refine(Ray ray, int branch, int side, float near_mm, float far_mm) {
+  float limit = side == BELOW ? lower_limits[branch] : upper_limits[branch];
+  float near_gap = abs(value_along(ray, near_mm) - limit);
+  float far_gap = abs(value_along(ray, far_mm) - limit);
+  int kept = 0;  // 1: the near end stayed the last time, -1: the far end
   for (int i = 0; i < refinement_steps; ++i) {
-    bool reached = value_along(ray, guess_mm) >= iso_value;
-    low_mm = reached ? low_mm : guess_mm;
-    high_mm = reached ? guess_mm : high_mm;
-    guess_mm = 0.5 * (low_mm + high_mm);
+    float guess_mm = mix(near_mm, far_mm, near_gap / max(near_gap + far_gap, 1e-12));
+    float value = value_along(ray, guess_mm);
+    float gap = abs(value - limit);
+    if (side == BELOW ? value > limit : value < limit) {
+      far_mm = guess_mm;
+      far_gap = gap;
+      near_gap *= kept == 1 ? 0.5 : 1.0;
+      kept = 1;
+    } else {
+      near_mm = guess_mm;
+      near_gap = gap;
+      far_gap *= kept == -1 ? 0.5 : 1.0;
+      kept = -1;
+    }
   }
-  return guess_mm;
+  return mix(near_mm, far_mm, near_gap / max(near_gap + far_gap, 1e-12));
 }
 
-// Distance of the first hit in mm, or NO_HIT. A hit at exactly `begin_mm` is a cap: the stretch starts in material.
+// Number of the first sample of the lattice behind a distance.
+int sample_after(Stretch stretch, float distance_mm) {
+  return int(floor((distance_mm - stretch.lattice_mm) / step_mm)) + 1;
+}
+
+// Distance of the first hit in mm, or NO_HIT. A hit at exactly `begin_mm` is a cap: the stretch starts in material. A band
+// that is jumped over between two samples is hit at the limit that was crossed first.
 float search_surface(Ray ray, Stretch stretch) {
-  float iso_value = iso_values[stretch.branch];
-  bool inside = value_along(ray, stretch.begin_mm) >= iso_value;
-  if (inside && !stretch.starts_open) return stretch.begin_mm;
-  int sample_number = int(floor((stretch.begin_mm - stretch.lattice_mm) / step_mm)) + 1;
+  int side = band_side(stretch.branch, value_along(ray, stretch.begin_mm));
+  if (side == IN_BAND && !stretch.starts_open) return stretch.begin_mm;
+  int sample_number = sample_after(stretch, stretch.begin_mm);
   float before_mm = stretch.begin_mm;
   while (before_mm < stretch.end_mm) {
     float at_mm = min(stretch.lattice_mm + float(sample_number) * step_mm, stretch.end_mm);
     vec3 index = ray.origin_index + at_mm * ray.index_per_mm;
     float empty_mm = skip_empty_space ? empty_until_mm(stretch.branch, index, ray) : 0.0;
-    if (empty_mm > 0.0) {
-      inside = false;
-      sample_number = max(sample_number + 1, int(floor((empty_mm - stretch.lattice_mm) / step_mm)) + 1);
-    } else {
-      bool reached = stored_value(index) >= iso_value;
-      if (reached && !inside) return refine(ray, iso_value, before_mm, at_mm);
-      inside = reached;
-      ++sample_number;
-    }
-    // After a skip this is the last point of the lattice that is still known to be empty.
+    bool is_empty = empty_mm > 0.0;
+    // An empty brick lies on one side of the band; without an upper end that can only be below.
+    int side_here = is_empty && !has_upper_limit[stretch.branch] ? BELOW : band_side(stretch.branch, stored_value(index));
+    if (side_here != side && side != IN_BAND) return refine(ray, stretch.branch, side, before_mm, at_mm);
+    side = side_here;
+    sample_number = is_empty ? max(sample_number + 1, sample_after(stretch, empty_mm)) : sample_number + 1;
+    // After a skip this is the last sample that is still known to lie on the same side.
     before_mm = min(stretch.lattice_mm + float(sample_number - 1) * step_mm, stretch.end_mm);
   }
   return NO_HIT;

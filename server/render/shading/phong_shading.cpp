@@ -6,13 +6,13 @@ namespace cutaway {
 
 namespace {
 
-void set_parameters(const gl::Program& program, const Json& parameters) {
-  program.set("colour", colour(parameters, "colour"));
-  program.set("ambient", number(parameters, "ambient"));
-  program.set("diffuse", number(parameters, "diffuse"));
-  program.set("specular", number(parameters, "specular"));
-  program.set("exponent", number(parameters, "exponent"));
-  program.set("blinn", is_choice(parameters, "model", "blinn") ? 1 : 0);
+void set_parameters(const UniformStruct& uniforms, const Json& parameters) {
+  uniforms.set("colour", colour(parameters, "colour"));
+  uniforms.set("ambient", number(parameters, "ambient"));
+  uniforms.set("diffuse", number(parameters, "diffuse"));
+  uniforms.set("specular", number(parameters, "specular"));
+  uniforms.set("exponent", number(parameters, "exponent"));
+  uniforms.set("blinn", is_choice(parameters, "model", "blinn") ? 1 : 0);
 }
 
 }  // namespace

@@ -1,18 +1,19 @@
-// How one sample of a surface gets its colour.
+// How one point of a surface gets its colour.
 #pragma once
 
-#include "gl/program.h"
+#include "render/uniform_struct.h"
 #include "scene/json.h"
 
 namespace cutaway {
 
-/// One registry entry: a GLSL file that defines `vec3 shade(vec3 normal, vec3 to_viewer)`, and how
-/// its uniforms follow from the module's parameters (checked and complete, as their schema entry
-/// says).
+/// One registry entry. `shader` is a GLSL file that defines `vec3 shade_NAME(int branch, vec3
+/// normal, vec3 to_viewer)` over `light_direction` and over `uniform STRUCT NAME[2]`, its
+/// parameters by branch; `set_parameters` fills one of the two from the module's parameters
+/// (checked and complete, as their schema entry says).
 struct ShadingModel {
   const char* name;
   const char* shader;
-  void (*set_parameters)(const gl::Program& program, const Json& parameters);
+  void (*set_parameters)(const UniformStruct& uniforms, const Json& parameters);
 };
 
 }  // namespace cutaway

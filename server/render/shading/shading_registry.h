@@ -1,12 +1,22 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "render/shading/shading_model.h"
+#include "render/view_buffers.h"
+#include "scene/scene.h"
 
 namespace cutaway {
 
 /// Every shading model; its parameters' names, ranges and defaults are in the scene's schema.
 std::span<const ShadingModel> shading_models();
+
+/// The text of shading_models.glsl: every model, and `vec3 shade(int branch, vec3 normal, vec3
+/// to_viewer)`, which calls the branch's.
+std::string shading_models_glsl();
+
+/// Makes `module` the branch's shading in a program that includes shade.glsl.
+void set_shading(const gl::Program& program, BranchIndex branch, const Module& module);
 
 }  // namespace cutaway

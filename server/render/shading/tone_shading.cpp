@@ -6,12 +6,12 @@ namespace cutaway {
 
 namespace {
 
-void set_parameters(const gl::Program& program, const Json& parameters) {
-  program.set("dark", colour(parameters, "dark"));
-  program.set("light", colour(parameters, "light"));
-  program.set("detail", number(parameters, "detail"));
-  program.set("terminator", number(parameters, "terminator"));
-  program.set("half_lambert", is_choice(parameters, "lambert", "half") ? 1 : 0);
+void set_parameters(const UniformStruct& uniforms, const Json& parameters) {
+  uniforms.set("dark", colour(parameters, "dark"));
+  uniforms.set("light", colour(parameters, "light"));
+  uniforms.set("detail", number(parameters, "detail"));
+  uniforms.set("terminator", number(parameters, "terminator"));
+  uniforms.set("half_lambert", is_choice(parameters, "lambert", "half") ? 1 : 0);
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ TEST(VolumeService, FindsTheSkinWithARay) {
   const VolumeFacts& facts = volume->facts();
   const glm::dvec3 centre = 0.5 * (facts.bounds_minimum_mm + facts.bounds_maximum_mm);
   const glm::dvec3 front = centre - glm::dvec3(0.0, facts.diagonal_mm, 0.0);
-  const auto skin = facts.first_surface_mm(front, {0.0, 1.0, 0.0}, facts.outer_iso_value);
+  const auto skin = facts.first_surface_mm(front, {0.0, 1.0, 0.0}, {facts.outer_iso_value});
   ASSERT_TRUE(skin.has_value());
   EXPECT_NEAR(volume->value_at(*skin).value(), facts.outer_iso_value, 50.0);
 }

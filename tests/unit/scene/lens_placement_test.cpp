@@ -16,8 +16,8 @@ LensPlacementView front_view() {
   view.camera.up = {0.0, 0.0, 1.0};
   view.camera.vertical_fov_degrees = 30.0;
   view.viewport = {600, 400};
-  view.context_iso_value = -200.0;
-  view.focus_iso_value = 250.0;
+  view.context.lower = -200.0;
+  view.focus.lower = 250.0;
   return view;
 }
 
@@ -25,8 +25,9 @@ LensPlacementView front_view() {
 VolumeFacts ball_with_bone_on_the_left() {
   VolumeFacts facts = ball_facts();
   const auto skin = facts.first_surface_mm;
-  facts.first_surface_mm = [skin](glm::dvec3 origin_mm, glm::dvec3 direction, double iso_value) {
-    if (iso_value < 0.0) return skin(origin_mm, direction, iso_value);
+  facts.first_surface_mm = [skin](glm::dvec3 origin_mm, glm::dvec3 direction,
+                                  const ValueBand& band) {
+    if (band.lower < 0.0) return skin(origin_mm, direction, band);
     // first_point_on_ball knows one centre: the ray is moved instead of the ball.
     const glm::dvec3 shift(40.0, -30.0, 0.0);
     auto point = first_point_on_ball(origin_mm - shift, direction, 20.0);
@@ -54,8 +55,9 @@ TEST(LensPlacement, GoesToTheFocusOnTheSkin) {
 TEST(LensPlacement, StaysInTheMiddleWhereNothingShowsTheFocus) {
   VolumeFacts facts = ball_facts();
   const auto skin = facts.first_surface_mm;
-  facts.first_surface_mm = [skin](glm::dvec3 origin_mm, glm::dvec3 direction, double iso_value) {
-    return iso_value < 0.0 ? skin(origin_mm, direction, iso_value) : std::nullopt;
+  facts.first_surface_mm = [skin](glm::dvec3 origin_mm, glm::dvec3 direction,
+                                  const ValueBand& band) {
+    return band.lower < 0.0 ? skin(origin_mm, direction, band) : std::nullopt;
   };
   const auto lens = placed_lens(facts, front_view(), 30.0);
   ASSERT_TRUE(lens);
@@ -65,8 +67,8 @@ TEST(LensPlacement, StaysInTheMiddleWhereNothingShowsTheFocus) {
 
 TEST(LensPlacement, SinksToAFocusThatLiesTooDeep) {
   VolumeFacts facts = ball_facts();
-  facts.first_surface_mm = [](glm::dvec3 origin_mm, glm::dvec3 direction, double iso_value) {
-    return first_point_on_ball(origin_mm, direction, iso_value < 0.0 ? kBallRadius_mm : 30.0);
+  facts.first_surface_mm = [](glm::dvec3 origin_mm, glm::dvec3 direction, const ValueBand& band) {
+    return first_point_on_ball(origin_mm, direction, band.lower < 0.0 ? kBallRadius_mm : 30.0);
   };
   const auto lens = placed_lens(facts, front_view(), 40.0);  // the focus is 50 mm deep
   ASSERT_TRUE(lens);

@@ -60,8 +60,8 @@ TEST(Resolve, PutsTheLensInTheVolumeWhereTheViewMissesTheSurface) {
 
 TEST(Resolve, TakesIsoValuesOfTheVolume) {
   const Scene scene = resolved("{}");
-  EXPECT_EQ(scene.focus.iso_value, 250.0);
-  EXPECT_EQ(scene.context.iso_value, -200.0);
+  EXPECT_EQ(scene.focus.surface.band.lower, 250.0);
+  EXPECT_EQ(scene.context.surface.band.lower, -200.0);
 }
 
 TEST(Resolve, TakesWhatTheDocumentSays) {
@@ -72,7 +72,7 @@ TEST(Resolve, TakesWhatTheDocumentSays) {
   EXPECT_EQ(scene.volume, "other");
   EXPECT_EQ(scene.camera.eye_mm, glm::dvec3(1, 2, 3));
   EXPECT_EQ(scene.camera.up, glm::dvec3(1, 0, 0));
-  EXPECT_EQ(scene.context.iso_value, 7.0);
+  EXPECT_EQ(scene.context.surface.band.lower, 7.0);
   EXPECT_EQ(scene.lens.centre_mm, glm::dvec3(4, 5, 6));
   EXPECT_EQ(scene.lens.radius_mm, 0.0);
 }

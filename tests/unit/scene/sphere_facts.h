@@ -32,9 +32,9 @@ inline VolumeFacts ball_facts() {
   facts.maximum_value = 2000.0;
   facts.outer_iso_value = -200.0;
   facts.inner_iso_value = 250.0;
-  facts.first_surface_mm = [](glm::dvec3 origin_mm, glm::dvec3 direction, double iso_value) {
+  facts.first_surface_mm = [](glm::dvec3 origin_mm, glm::dvec3 direction, const ValueBand& band) {
     return first_point_on_ball(origin_mm, direction,
-                               iso_value > 0.0 ? kBallRadius_mm / 2.0 : kBallRadius_mm);
+                               band.lower > 0.0 ? kBallRadius_mm / 2.0 : kBallRadius_mm);
   };
   return facts;
 }

@@ -40,8 +40,9 @@ BallVolume::BallVolume(std::string id, double centre_value) : centre_value_(cent
   facts_.maximum_value = centre_value;
   facts_.outer_iso_value = centre_value - 100.0;
   facts_.inner_iso_value = centre_value - 50.0;
-  facts_.first_surface_mm = [centre_value](glm::dvec3 origin, glm::dvec3 direction, double iso) {
-    return enter_ball(origin, direction, centre_value - iso);
+  facts_.first_surface_mm = [centre_value](glm::dvec3 origin, glm::dvec3 direction,
+                                           const ValueBand& band) {
+    return enter_ball(origin, direction, centre_value - band.lower);
   };
   summary_ = {{"id", facts_.id}};
 }

@@ -19,8 +19,8 @@ class PickTest : public ::testing::Test {
                     .target_mm = {0.0, 0.0, 0.0},
                     .up = {0.0, 0.0, 1.0},
                     .view_height_mm = 400.0};
-    scene.context.iso_value = 100.0;
-    scene.focus.iso_value = 150.0;
+    scene.context.surface.band.lower = 100.0;
+    scene.focus.surface.band.lower = 150.0;
     scene.lens = {.mode = LensMode::cutaway, .centre_mm = {100.0, 0.0, 0.0}, .radius_mm = 60.0};
   }
 
@@ -66,7 +66,7 @@ TEST_F(PickTest, AnOpenCapShowsNoWall) {
 TEST_F(PickTest, TheFocusThatTheLensCutsIsCapped) {
   scene.lens.centre_mm = {0.0, 0.0, 0.0};
   scene.lens.radius_mm = 40.0;
-  scene.context.iso_value = 250.0;  // nowhere
+  scene.context.surface.band.lower = 250.0;  // nowhere
   expect_hit(kMiddle, PickedBranch::focus, {40.0, 0.0, 0.0});
 }
 

@@ -45,7 +45,7 @@ TEST_F(SessionTest, ChoosesWhatTheSceneLeavesOpenAndSaysSo) {
 TEST_F(SessionTest, FramesCarryTheInputAndRevisionTheyShow) {
   show_ball();
   const std::uint32_t latest = scene({{"focus", {{"surface", {{"iso_value", 120.0}}}}}});
-  EXPECT_EQ(rendered().focus.iso_value, 120.0);
+  EXPECT_EQ(rendered().focus.surface.band.lower, 120.0);
   EXPECT_EQ(client.frames.back().header.input, latest);
 }
 

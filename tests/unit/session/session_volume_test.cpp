@@ -131,8 +131,8 @@ TEST_F(SessionVolumeTest, AnotherVolumeKeepsTheStyleAndChoosesPlacesAnew) {
   EXPECT_EQ(shown.lens.cap, LensCap::open);
   EXPECT_NE(shown.lens.radius_mm, 5.0);
   EXPECT_NE(shown.camera.eye_mm.x, 900.0);
-  EXPECT_EQ(shown.context.iso_value, 900.0);
-  EXPECT_EQ(shown.focus.iso_value, 950.0);
+  EXPECT_EQ(shown.context.surface.band.lower, 900.0);
+  EXPECT_EQ(shown.focus.surface.band.lower, 950.0);
 }
 
 TEST_F(SessionVolumeTest, WhatTheOpeningMessageSaysIsNotChosen) {

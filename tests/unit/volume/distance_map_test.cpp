@@ -45,7 +45,7 @@ TEST(ChebyshevDistanceMap, EqualsBruteForce) {
   for (const glm::ivec3 size : sizes) {
     for (const double share : {0.0, 0.003, 0.02, 0.3, 1.0}) {
       const MinMaxGrid grid = random_grid(size, share, unsigned(size.x));
-      const std::vector<std::uint8_t> distances = chebyshev_distance_map(grid, 1.0);
+      const std::vector<std::uint8_t> distances = chebyshev_distance_map(grid, {0.5});
       for_each_brick(size, [&](glm::ivec3 brick, int at) {
         ASSERT_EQ(int(distances[at]), brute_force(grid, brick)) << "share " << share;
       });
@@ -55,21 +55,23 @@ TEST(ChebyshevDistanceMap, EqualsBruteForce) {
 
 TEST(ChebyshevDistanceMap, SaturatesWithoutAnyBrickAndBeyond255) {
   MinMaxGrid grid = random_grid({300, 1, 2}, 0.0, 1);
-  EXPECT_EQ(chebyshev_distance_map(grid, 1.0), std::vector<std::uint8_t>(600, 255));
+  EXPECT_EQ(chebyshev_distance_map(grid, {0.5}), std::vector<std::uint8_t>(600, 255));
   grid.minimum[0] = grid.maximum[0] = 1.0f;
-  const std::vector<std::uint8_t> distances = chebyshev_distance_map(grid, 1.0);
+  const std::vector<std::uint8_t> distances = chebyshev_distance_map(grid, {0.5});
   EXPECT_EQ(int(distances[254]), 254);
   EXPECT_EQ(int(distances[299]), 255);
   EXPECT_EQ(int(distances[300]), 1);
 }
 
-TEST(ChebyshevDistanceMap, CountsBricksThatReachTheIsoValue) {
+TEST(ChebyshevDistanceMap, CountsBricksThatHoldSomeOfTheBand) {
   MinMaxGrid grid = random_grid({3, 1, 1}, 0.0, 1);
   grid.minimum = {0.0f, 10.0f, 20.0f};
   grid.maximum = {10.0f, 20.0f, 30.0f};
-  EXPECT_EQ(chebyshev_distance_map(grid, 10.0), (std::vector<std::uint8_t>{0, 0, 0}));
-  EXPECT_EQ(chebyshev_distance_map(grid, 10.5), (std::vector<std::uint8_t>{1, 0, 0}));
-  EXPECT_EQ(chebyshev_distance_map(grid, 30.0), (std::vector<std::uint8_t>{2, 1, 0}));
+  EXPECT_EQ(chebyshev_distance_map(grid, {9.9}), (std::vector<std::uint8_t>{0, 0, 0}));
+  EXPECT_EQ(chebyshev_distance_map(grid, {10.0}), (std::vector<std::uint8_t>{1, 0, 0}));
+  EXPECT_EQ(chebyshev_distance_map(grid, {20.0}), (std::vector<std::uint8_t>{2, 1, 0}));
+  EXPECT_EQ(chebyshev_distance_map(grid, {-5.0, 10.0}), (std::vector<std::uint8_t>{0, 1, 2}));
+  EXPECT_EQ(chebyshev_distance_map(grid, {12.0, 18.0}), (std::vector<std::uint8_t>{1, 0, 1}));
 }
 
 }  // namespace

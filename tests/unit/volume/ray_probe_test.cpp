@@ -51,7 +51,7 @@ TEST_P(EveryRay, MeetsTheSphereWhereTheClosedFormSays) {
     const double along = glm::dot(ray.direction, centre - ray.origin_mm);
     const double beside2 = glm::dot(ray.origin_mm - centre, ray.origin_mm - centre) - along * along;
     const double expected_mm = along - std::sqrt(kRadius * kRadius - beside2);
-    const auto found_mm = first_surface_mm(volume, ray, 100.0 - kRadius, kEverywhere);
+    const auto found_mm = first_surface_mm(volume, ray, {100.0 - kRadius}, kEverywhere);
     ASSERT_TRUE(found_mm);
     EXPECT_NEAR(*found_mm, expected_mm, 2.0 * 2.0 / (4.0 * kRadius) * 1.2);
   }
@@ -64,24 +64,34 @@ INSTANTIATE_TEST_SUITE_P(RayProbe, EveryRay,
 TEST(FirstSurface, CountsTheStartWhereItIsInsideAlready) {
   const Volume volume = test::sphere_volume(test::centred_geometry(64), 0.0);
   const PatientRay ray{{0.0, 0.0, -40.0}, {0.0, 0.0, 1.0}};
-  EXPECT_EQ(first_surface_mm(volume, ray, -20.0, {30.0, 100.0}), 30.0);
-  EXPECT_NEAR(*first_surface_mm(volume, ray, -20.0, {10.0, 100.0}), 20.0, 0.013);
+  EXPECT_EQ(first_surface_mm(volume, ray, {-20.0}, {30.0, 100.0}), 30.0);
+  EXPECT_NEAR(*first_surface_mm(volume, ray, {-20.0}, {10.0, 100.0}), 20.0, 0.013);
 }
 
 TEST(FirstSurface, StaysWithinItsLimitsAndTheGrid) {
   const Volume volume = test::sphere_volume(test::centred_geometry(64), 0.0);
   const PatientRay ray{{0.0, 0.0, -40.0}, {0.0, 0.0, 1.0}};
-  EXPECT_FALSE(first_surface_mm(volume, ray, -20.0, {0.0, 19.0}));
-  EXPECT_FALSE(first_surface_mm(volume, ray, -20.0, {80.0, 60.0}));
-  EXPECT_FALSE(first_surface_mm(volume, ray, 1.0, kEverywhere));
-  EXPECT_FALSE(first_surface_mm(volume, {{0.0, 0.0, -40.0}, {0.0, 0.0, -1.0}}, -20.0, kEverywhere));
+  EXPECT_FALSE(first_surface_mm(volume, ray, {-20.0}, {0.0, 19.0}));
+  EXPECT_FALSE(first_surface_mm(volume, ray, {-20.0}, {80.0, 60.0}));
+  EXPECT_FALSE(first_surface_mm(volume, ray, {1.0}, kEverywhere));
+  EXPECT_FALSE(
+      first_surface_mm(volume, {{0.0, 0.0, -40.0}, {0.0, 0.0, -1.0}}, {-20.0}, kEverywhere));
 }
 
 TEST(FirstSurface, FindsASlabOfOneVoxel) {
   const test::SlabField slab{.normal = {0.0, 0.0, 1.0}, .half_thickness_mm = 0.6};
   const Volume volume = test::slab_volume(test::centred_geometry(65), slab);
   const PatientRay ray{{0.3, 0.2, -100.0}, {0.0, 0.0, 1.0}};
-  EXPECT_NEAR(*first_surface_mm(volume, ray, -250.0, kEverywhere), 99.5, 1e-4);
+  EXPECT_NEAR(*first_surface_mm(volume, ray, {-250.0}, kEverywhere), 99.5, 1e-4);
+}
+
+TEST(FirstSurface, MeetsABandFromEitherSideAndOneThatItJumpsOver) {
+  const Volume volume = test::sphere_volume(test::centred_geometry(64), 0.0);  // minus the radius
+  const PatientRay ray{{0.0, 0.0, -30.0}, {0.0, 0.0, 1.0}};
+  EXPECT_NEAR(*first_surface_mm(volume, ray, {-20.0, -10.0}, kEverywhere), 10.0, 0.03);
+  EXPECT_NEAR(*first_surface_mm(volume, ray, {-20.0, -19.999}, kEverywhere), 10.0, 0.03);
+  const RayInterval from_within{25.0, 100.0};  // 5 mm from the centre, above the band
+  EXPECT_NEAR(*first_surface_mm(volume, ray, {-20.0, -10.0}, from_within), 40.0, 0.03);
 }
 
 }  // namespace

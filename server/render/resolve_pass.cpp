@@ -1,0 +1,18 @@
+#include "render/resolve_pass.h"
+
+namespace cutaway {
+
+ResolvePass::ResolvePass(const gl::ShaderLibrary& shaders)
+    : program_(shaders, "fullscreen.vert", "resolve.frag") {}
+
+void ResolvePass::run(const BranchBuffers& branch, int supersampling,
+                      const gl::FullscreenTriangle& triangle) const {
+  program_.use();
+  program_.set_texture("surface_texture", 0, branch.surface.name());
+  program_.set_texture("layers_texture", 1, branch.layers.name());
+  program_.set("supersampling", supersampling);
+  branch.shade_target.bind();
+  triangle.draw();
+}
+
+}  // namespace cutaway

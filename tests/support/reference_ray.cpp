@@ -1,0 +1,151 @@
+#include "support/reference_ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cutaway::reference {
+
+Ray::Ray(const Scene& scene, const Volume& volume, const ViewRay& ray, double step_mm)
+    : scene_lens_(scene.lens),
+      volume_(volume),
+      ray_(ray),
+      to_index_(patient_to_index(volume.geometry)),
+      step_mm_(step_mm),
+      box_(box_interval()) {}
+
+glm::dvec3 Ray::position_mm(double distance_mm) const {
+  return ray_.origin_mm + distance_mm * ray_.direction;
+}
+
+glm::dvec3 Ray::index_at(double distance_mm) const {
+  return glm::dvec3(to_index_ * glm::dvec4(position_mm(distance_mm), 1.0));
+}
+
+double Ray::value(double distance_mm) const { return sample(volume_, index_at(distance_mm)); }
+
+Interval Ray::box_interval() const {
+  const glm::dvec3 origin(to_index_ * glm::dvec4(ray_.origin_mm, 1.0));
+  const glm::dvec3 direction(to_index_ * glm::dvec4(ray_.direction, 0.0));
+  Interval interval{0.0, 1e12};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double last = volume_.geometry.size_voxels[axis] - 1;
+    if (std::abs(direction[axis]) < 1e-12) {
+      if (origin[axis] < 0.0 || origin[axis] > last) return {0.0, 0.0};
+      continue;
+    }
+    const double a = -origin[axis] / direction[axis];
+    const double b = (last - origin[axis]) / direction[axis];
+    interval.begin_mm = std::max(interval.begin_mm, std::min(a, b));
+    interval.end_mm = std::min(interval.end_mm, std::max(a, b));
+  }
+  return interval;
+}
+
+Interval Ray::lens_interval() const {
+  if (scene_lens_.mode == LensMode::none || scene_lens_.radius_mm <= 0.0) return {};
+  const glm::dvec3 from_centre = ray_.origin_mm - scene_lens_.centre_mm;
+  const double half_b = glm::dot(from_centre, ray_.direction);
+  const double discriminant = half_b * half_b - glm::dot(from_centre, from_centre) +
+                              scene_lens_.radius_mm * scene_lens_.radius_mm;
+  if (discriminant <= 0.0) return {};
+  const double root = std::sqrt(discriminant);
+  return {-half_b - root, -half_b + root};
+}
+
+bool Ray::is_under_lens() const {
+  const Interval lens = lens_interval();
+  return !lens.is_empty() && lens.end_mm > 0.0;
+}
+
+RayPart Ray::whole(BranchName branch) const {
+  return {branch, box_, box_face(), box_.begin_mm == 0.0};
+}
+
+std::array<RayPart, 3> Ray::cutaway_parts() const {
+  Interval lens = lens_interval();
+  lens = {std::max(lens.begin_mm, box_.begin_mm), std::min(lens.end_mm, box_.end_mm)};
+  if (lens.is_empty()) lens = {box_.end_mm, box_.end_mm};
+  std::array<RayPart, 3> parts = {whole(BranchName::context), whole(BranchName::focus),
+                                  whole(BranchName::context)};
+  parts[0].stretch.end_mm = lens.begin_mm;
+  parts[1].stretch = lens;
+  parts[2].stretch.begin_mm = lens.end_mm;
+  for (RayPart& part : parts) {
+    if (part.stretch.begin_mm <= box_.begin_mm) continue;
+    part.face = lens_face(part.stretch.begin_mm);
+    part.starts_open = scene_lens_.cap == LensCap::open;
+  }
+  return parts;
+}
+
+double Ray::step_end_mm(double distance_mm, const Interval& stretch) const {
+  const double number = std::floor((distance_mm - box_.begin_mm) / step_mm_ + 1e-9) + 1.0;
+  return std::min(box_.begin_mm + number * step_mm_, stretch.end_mm);
+}
+
+std::optional<SurfaceHit> Ray::first_surface(const RayPart& part, const ValueBand& band) const {
+  double near_mm = part.stretch.begin_mm;
+  int side = band.side(value(near_mm));
+  if (side == 0 && !part.starts_open)
+    return SurfaceHit{near_mm, part.face ? *part.face : gradient_normal(near_mm)};
+  while (near_mm < part.stretch.end_mm) {
+    const double far_mm = step_end_mm(near_mm, part.stretch);
+    const int side_there = band.side(value(far_mm));
+    if (side_there != side && side != 0) {
+      const double hit_mm = bisect(near_mm, far_mm, band);
+      return SurfaceHit{hit_mm, gradient_normal(hit_mm)};
+    }
+    side = side_there;
+    near_mm = far_mm;
+  }
+  return std::nullopt;
+}
+
+double Ray::bisect(double near_mm, double far_mm, const ValueBand& band) const {
+  const int side = band.side(value(near_mm));
+  for (int i = 0; i < 50; ++i) {
+    const double middle_mm = 0.5 * (near_mm + far_mm);
+    (band.side(value(middle_mm)) == side ? near_mm : far_mm) = middle_mm;
+  }
+  return 0.5 * (near_mm + far_mm);
+}
+
+glm::dvec3 Ray::facing(glm::dvec3 normal) const {
+  return glm::dot(normal, ray_.direction) > 0.0 ? -normal : normal;
+}
+
+glm::dvec3 Ray::gradient_normal(double distance_mm) const {
+  const glm::dvec3 index = index_at(distance_mm);
+  const glm::dvec3 last(volume_.geometry.size_voxels - 1);
+  glm::dvec3 gradient(0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 ahead = index;
+    glm::dvec3 behind = index;
+    ahead[axis] = std::min(ahead[axis] + 1.0, last[axis]);
+    behind[axis] = std::max(behind[axis] - 1.0, 0.0);
+    const double length_mm = (ahead[axis] - behind[axis]) * volume_.geometry.spacing_mm[axis];
+    gradient[axis] = (sample(volume_, ahead) - sample(volume_, behind)) / length_mm;
+  }
+  if (glm::length(gradient) == 0.0) return -ray_.direction;
+  return facing(-glm::normalize(volume_.geometry.direction_patient * gradient));
+}
+
+std::optional<glm::dvec3> Ray::lens_face(double distance_mm) const {
+  if (scene_lens_.cap != LensCap::flat) return std::nullopt;
+  return facing(glm::normalize(position_mm(distance_mm) - scene_lens_.centre_mm));
+}
+
+glm::dvec3 Ray::box_face() const {
+  const glm::dvec3 index = index_at(box_.begin_mm);
+  const glm::dvec3 last(volume_.geometry.size_voxels - 1);
+  int nearest = 0;
+  double least = 1e12;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double gap = std::min(std::abs(index[axis]), std::abs(last[axis] - index[axis]));
+    if (gap < least) nearest = axis;
+    least = std::min(least, gap);
+  }
+  return facing(volume_.geometry.direction_patient[nearest]);
+}
+
+}  // namespace cutaway::reference
