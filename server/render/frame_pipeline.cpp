@@ -42,6 +42,14 @@ std::optional<MagicLens> magic_lens(const Scene& scene, const ViewRays& rays) {
   return MagicLens{scene.lens, rays};
 }
 
+std::vector<glm::vec4> texels_of(const gl::Texture2D& texture) {
+  const glm::ivec2 size = texture.size_px();
+  std::vector<glm::vec4> values(static_cast<std::size_t>(size.x) * size.y);
+  glGetTextureImage(texture.name(), 0, GL_RGBA, GL_FLOAT,
+                    static_cast<GLsizei>(values.size() * sizeof(glm::vec4)), values.data());
+  return values;
+}
+
 }  // namespace
 
 StageCounts ViewState::counts() const {
@@ -159,12 +167,11 @@ void FramePipeline::start_readback(const ViewState& view, PixelLayout layout,
 }
 
 std::vector<glm::vec4> FramePipeline::read_surface(const ViewState& view, BranchIndex branch) {
-  const gl::Texture2D& surface = view.buffers_->branches[branch].surface;
-  const glm::ivec2 size = surface.size_px();
-  std::vector<glm::vec4> values(static_cast<std::size_t>(size.x) * size.y);
-  glGetTextureImage(surface.name(), 0, GL_RGBA, GL_FLOAT,
-                    static_cast<GLsizei>(values.size() * sizeof(glm::vec4)), values.data());
-  return values;
+  return texels_of(view.buffers_->branches[branch].surface);
+}
+
+std::vector<glm::vec4> FramePipeline::read_layers(const ViewState& view, BranchIndex branch) {
+  return texels_of(view.buffers_->branches[branch].layers);
 }
 
 glm::ivec2 FramePipeline::surface_size_px(const ViewState& view) {

@@ -70,6 +70,8 @@ class FramePipeline {
   /// supersampled rays.
   static std::vector<glm::vec4> read_surface(const ViewState& view, BranchIndex branch);
   static glm::ivec2 surface_size_px(const ViewState& view);
+  /// The same for the layers of translucent material: premultiplied colour and opacity.
+  static std::vector<glm::vec4> read_layers(const ViewState& view, BranchIndex branch);
 
   void observe(StageObserver observer) { observer_ = std::move(observer); }
 

@@ -37,8 +37,8 @@ Json describe_parameter(const std::string& name, const Json& parameter) {
 /// author's order.
 Json describe_module(const Json& module, const OrderedJson& ordered) {
   Json parameters = Json::array();
-  for (const auto& [name, ignored] : ordered.at("properties").items())
-    if (name != "name")
+  for (const auto& [name, field] : ordered.at("properties").items())
+    if (name != "name" && !field.contains("x-alias"))
       parameters.push_back(describe_parameter(name, module.at("properties").at(name)));
   return {{"name", module.at("properties").at("name").at("const")},
           {"title", module.at("title")},

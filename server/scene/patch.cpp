@@ -1,5 +1,6 @@
 #include "core/error.h"
 #include "scene/json_text.h"
+#include "scene/module_aliases.h"
 #include "scene/resolve.h"
 #include "scene/schema.h"
 #include "scene/schema_node.h"
@@ -51,7 +52,7 @@ void refuse_unknown_nulls(const Json& schema, const Json& patch, const Json& mer
 
 Json patch_scene_document(const Json& base, const Json& patch) {
   Json merged = base;
-  merge(merged, patch);
+  merge(merged, without_aliases(patch));
   validate_scene_document(merged);
   refuse_unknown_nulls(schema("scene"), patch, merged, "");
   return merged;

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "scene/json_text.h"
+#include "scene/module_aliases.h"
 #include "scene/scene_json.h"
 #include "scene/schema.h"
 #include "scene/volume_choices.h"
@@ -132,7 +133,7 @@ void validate_scene_document(const Json& document) { validate(document, "scene")
 
 Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport viewport) {
   validate_scene_document(document);
-  const Json complete = with_defaults(document, "scene");
+  const Json complete = with_defaults(without_aliases(document), "scene");
   Scene scene;
   scene.volume = complete.value("volume", volume.id);
   scene.viewport = viewport;

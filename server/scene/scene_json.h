@@ -7,7 +7,9 @@ namespace cutaway {
 
 NLOHMANN_JSON_SERIALIZE_ENUM(Projection, {{Projection::perspective, "perspective"},
                                           {Projection::orthographic, "orthographic"}})
-NLOHMANN_JSON_SERIALIZE_ENUM(LensMode, {{LensMode::none, "none"}, {LensMode::cutaway, "cutaway"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(LensMode, {{LensMode::none, "none"},
+                                        {LensMode::cutaway, "cutaway"},
+                                        {LensMode::magic, "magic"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(LensCap, {{LensCap::flat, "flat"},
                                        {LensCap::gradient, "gradient"},
                                        {LensCap::open, "open"}})

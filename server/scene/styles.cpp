@@ -1,9 +1,11 @@
 #include "scene/styles.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/error.h"
 #include "scene/embedded.h"
+#include "scene/module_aliases.h"
 #include "scene/schema.h"
 
 namespace cutaway {
@@ -12,21 +14,29 @@ namespace {
 
 constexpr const char* kFirst = "flagship";
 
-/// Fills the modules' parameters only: what else a style leaves open stays as it is in the viewer's
-/// scene.
+/// What makes a look; the rest (volume, camera, surfaces, the lens' place) is the viewer's own.
+constexpr std::array kLook = {"/focus/shading",   "/focus/filters", "/context/shading",
+                              "/context/filters", "/lens/mode",     "/lens/cap",
+                              "/lens/strength",   "/lens/softness", "/lens/strict",
+                              "/light",           "/background"};
+
+/// Every style says all of a look, so that one replaces another: what its file leaves out comes
+/// from the schema's defaults.
 Json completed(const Json& scene) {
-  const Json filled = with_defaults(scene, "scene");
-  Json result = scene;
-  for (const char* branch : {"focus", "context"})
-    for (const char* part : {"shading", "filters"})
-      if (result.contains(branch) && result.at(branch).contains(part))
-        result[branch][part] = filled.at(branch).at(part);
+  const Json filled = with_defaults(without_aliases(scene), "scene");
+  Json result = Json::object();
+  for (const char* part : kLook) {
+    const Json::json_pointer pointer(part);
+    result[pointer] = filled.at(pointer);
+  }
   return result;
 }
 
-Style style_from(const Json& document) {
+Style style_from(const Json& file) {
+  const Json document = with_defaults(file, "style");
   return {document.at("name").get<std::string>(), document.at("title").get<std::string>(),
-          document.at("description").get<std::string>(), completed(document.at("scene"))};
+          document.at("description").get<std::string>(), document.at("group").get<std::string>(),
+          completed(file.at("scene"))};
 }
 
 std::vector<Style> read_styles() {
@@ -69,6 +79,7 @@ Json describe_styles() {
     all.push_back({{"name", style.name},
                    {"title", style.title},
                    {"description", style.description},
+                   {"group", style.group},
                    {"scene", style.scene}});
   return all;
 }

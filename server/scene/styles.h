@@ -12,7 +12,8 @@ struct Style {
   std::string name;
   std::string title;
   std::string description;
-  Json scene;  ///< partial; its modules have every parameter, so merging one style replaces another
+  std::string group;  ///< "illustration" or "study"
+  Json scene;         ///< partial: a whole look, so merging one style replaces another
 };
 
 /// The flagship first, the rest by title. Thread-safe.

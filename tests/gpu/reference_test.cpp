@@ -48,6 +48,31 @@ TEST_P(EveryGeometry, LooksLikeTheReference) {
                         kWholePicture);
 }
 
+TEST_P(EveryGeometry, OfTranslucentBandsLooksLikeTheReference) {
+  const Grid& grid = GetParam();
+  const glm::ivec3 size(100.0 / grid.spacing_mm);
+  const auto volume = load(shells_volume(centred_geometry(size, grid.spacing_mm, grid.direction)));
+  Json document = flagship();
+  document["context"]["surface"] = {{"iso_value", -200}, {"upper_value", 0}, {"opacity", 0.08}};
+  document["focus"]["surface"] = {{"iso_value", 250}, {"opacity", 0.3}};
+  document["context"]["shading"] = {{"name", "gooch"}};
+  document["focus"]["filters"] = {{{"name", "sobel"}, {"source", "depth"}, {"norm", "unit"}}};
+  const Scene scene = scene_for(document, volume, kViewport);
+  expect_like_reference(std::string("translucent-") + grid.name, scene, volume, settings_for(scene),
+                        kWholePicture);
+}
+
+TEST_P(EveryGeometry, UnderTheMagicLensLooksLikeTheReference) {
+  const Grid& grid = GetParam();
+  const glm::ivec3 size(100.0 / grid.spacing_mm);
+  const auto volume = load(shells_volume(centred_geometry(size, grid.spacing_mm, grid.direction)));
+  Json document = flagship();
+  document["lens"]["mode"] = "magic";
+  const Scene scene = scene_for(document, volume, kViewport);
+  expect_like_reference(std::string("magic-") + grid.name, scene, volume, settings_for(scene),
+                        kWholePicture);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Reference, EveryGeometry,
     testing::Values(Grid{"isotropic", glm::dvec3(1.0), glm::dmat3(1.0)},

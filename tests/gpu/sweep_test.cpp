@@ -8,6 +8,7 @@
 #include "render/lenses/lens_registry.h"
 #include "render/shading/shading_registry.h"
 #include "scene/modules.h"
+#include "scene/styles.h"
 #include "support/analytic_volumes.h"
 #include "support/gpu_harness.h"
 #include "volume/phantoms.h"
@@ -63,14 +64,25 @@ TEST(Sweep, EveryShadingOnEitherBranch) {
   }
 }
 
-TEST(Sweep, EveryLensShapeOnEveryPhantom) {
-  for (const std::string& name : names_of(lens_shapes())) {
-    for (const PhantomKind kind : {PhantomKind::head, PhantomKind::abdomen, PhantomKind::knees}) {
-      const auto volume = load(make_phantom({kind, 64}, {}, {}));
-      const Scene scene = scene_for({{"lens", {{"shape", {{"name", name}}}}}}, volume, {120, 90});
-      expect_like_reference("lens-" + name + "-" + std::to_string(static_cast<int>(kind)), scene,
-                            volume, settings_for(scene), kTolerance);
+TEST(Sweep, EveryLensOnEveryPhantom) {
+  for (const PhantomKind kind : {PhantomKind::head, PhantomKind::abdomen, PhantomKind::knees}) {
+    const auto volume = load(make_phantom({kind, 64}, {}, {}));
+    for (const std::string& shape : names_of(lens_shapes())) {
+      for (const char* mode : {"none", "cutaway", "magic"}) {
+        const Scene scene = scene_for({{"lens", {{"shape", {{"name", shape}}}, {"mode", mode}}}},
+                                      volume, {120, 90});
+        expect_like_reference(
+            "lens-" + shape + "-" + mode + "-" + std::to_string(static_cast<int>(kind)), scene,
+            volume, settings_for(scene), kTolerance);
+      }
     }
+  }
+}
+
+TEST(Sweep, EveryStyle) {
+  for (const Style& style : styles()) {
+    const Scene scene = scene_for(style.scene, head(), {120, 90});
+    expect_like_reference("style-" + style.name, scene, head(), settings_for(scene), kTolerance);
   }
 }
 

@@ -26,7 +26,7 @@ TEST(Schema, ErrorsSayTheLimitWithItsUnitAndWhatCame) {
             "a list of 3 entries, each a number from -1000 to 1000");
   EXPECT_EQ(refusal({{"camera", {{"up", {0, 1}}}}}).received, "2 entries");
   EXPECT_EQ(refusal({{"focus", {{"shading", {{"name", "cel"}}}}}}).expected,
-            "name one of tone, phong");
+            "name one of tone, gooch, phong");
   EXPECT_EQ(refusal({{"light", {{"colour", 1}}}}).expected, "one of direction, frame");
   EXPECT_EQ(refusal({{"volume", ""}}).expected, "a string of 1 to 1024 characters");
 }
@@ -41,7 +41,8 @@ TEST(Schema, FillsDefaultsAtEveryDepthAndKeepsWhatIsSaid) {
   const Json filled = with_defaults(
       Json::parse(R"({"focus": {"filters": [{"name": "sobel", "strength": 0.1}]}})"), "scene");
   EXPECT_EQ(filled.at("focus").at("filters"),
-            Json::parse(R"([{"name": "sobel", "strength": 0.1, "mode": "darken", "norm": "raw",
+            Json::parse(R"([{"name": "sobel", "strength": 0.1, "mode": "darken", "source": "colour",
+                               "silhouettes": true, "depth_step_mm": 100, "norm": "raw",
                 "gradient": "l1"}])"));
   EXPECT_EQ(filled.at("context").at("shading").at("detail"), 0);
   EXPECT_EQ(filled.at("context").at("shading").at("lambert"), "half");
