@@ -101,13 +101,14 @@ Server::Hooks Serving::hooks() {
 }
 
 std::unique_ptr<Session> Serving::make_session(std::shared_ptr<Strand> strand, ClientSink& client) {
-  const std::uint64_t view = next_view_.fetch_add(2);
+  const std::uint64_t view = next_view_.fetch_add(3);
   return std::make_unique<Session>(SessionEnds{.strand = std::move(strand),
                                                .frames = *frames_,
                                                .volumes = volumes_,
                                                .client = client,
                                                .live_view = view,
                                                .still_view = view + 1,
+                                               .preview_view = view + 2,
                                                .capabilities = capabilities_},
                                    session_settings_);
 }

@@ -25,7 +25,7 @@ void OutQueue::put_frame(std::vector<std::uint8_t> message, Done done) {
 }
 
 void OutQueue::put_still(std::vector<std::uint8_t> message, Done done) {
-  replace(still_, Message{std::move(message), std::move(done)});
+  stills_.push_back({std::move(message), std::move(done)});
 }
 
 std::optional<OutQueue::Message> OutQueue::take() {
@@ -36,14 +36,18 @@ std::optional<OutQueue::Message> OutQueue::take() {
     return message;
   }
   if (frame_) return std::exchange(frame_, std::nullopt);
-  return std::exchange(still_, std::nullopt);
+  if (stills_.empty()) return std::nullopt;
+  Message still = std::move(stills_.front());
+  stills_.pop_front();
+  return still;
 }
 
 void OutQueue::abandon() {
   texts_.clear();
   waiting_text_bytes_ = 0;
   replace(frame_, std::nullopt);
-  replace(still_, std::nullopt);
+  for (const Message& still : std::exchange(stills_, {}))
+    if (still.done) still.done(false);
 }
 
 }  // namespace cutaway

@@ -11,7 +11,8 @@
 
 namespace cutaway {
 
-/// Texts in their order, then the one waiting frame, then the one waiting still. Not thread-safe.
+/// Texts in their order, then the one waiting frame, then stills and previews in their order (a
+/// session has at most one of each under way). Not thread-safe.
 class OutQueue {
  public:
   using Done = std::function<void(bool)>;
@@ -37,7 +38,7 @@ class OutQueue {
   std::size_t waiting_text_bytes_ = 0;
   std::deque<std::string> texts_;
   std::optional<Message> frame_;
-  std::optional<Message> still_;
+  std::deque<Message> stills_;
 };
 
 }  // namespace cutaway

@@ -52,6 +52,11 @@ const std::map<std::string, Reading, std::less<>>& readings() {
        [](const Json& m) -> ClientMessage {
          return SaveStillMessage{request_of(m), width_of(m), height_of(m)};
        }},
+      {"preview",
+       [](const Json& m) -> ClientMessage {
+         return PreviewMessage{request_of(m), m.at("style").get<std::string>(), width_of(m),
+                               height_of(m)};
+       }},
   };
   return all;
 }

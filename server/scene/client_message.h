@@ -53,8 +53,15 @@ struct SaveStillMessage {
   int height_px = 0;
 };
 
+struct PreviewMessage {
+  std::uint32_t request = 0;
+  std::string style;
+  int width_px = 0;
+  int height_px = 0;
+};
+
 using ClientMessage = std::variant<SceneMessage, ViewportMessage, DragLensMessage, PickMessage,
-                                   CancelLoadMessage, AckMessage, SaveStillMessage>;
+                                   CancelLoadMessage, AckMessage, SaveStillMessage, PreviewMessage>;
 
 /// Throws Error: malformed-json, not-finite, unknown-message, unknown-field, missing-field,
 /// wrong-type, out-of-range.

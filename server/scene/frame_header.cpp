@@ -107,7 +107,7 @@ DecodedFrame decode_frame(std::span<const std::uint8_t> message) {
   reader.take<std::uint8_t>();
   const std::size_t length = Reader(message.subspan(kHeaderLengthOffset)).take<std::uint16_t>();
   reader.take<std::uint32_t>();
-  if (type < 1 || type > 2) refuse("unknown picture type", "1 or 2", std::to_string(type));
+  if (type < 1 || type > 3) refuse("unknown picture type", "1, 2 or 3", std::to_string(type));
   if (length < kFrameHeaderBytes || length > message.size())
     refuse("wrong header length", "56 to the message's length", std::to_string(length));
   const FrameHeader header = read_fields(reader, type, flags);

@@ -8,13 +8,13 @@
 
 namespace cutaway {
 
-enum class PictureType : std::uint8_t { live_frame = 1, saved_still = 2 };
+enum class PictureType : std::uint8_t { live_frame = 1, saved_still = 2, preview = 3 };
 
 struct FrameHeader {
   PictureType type = PictureType::live_frame;
   bool still_quality = false;
   bool lossless = false;
-  std::uint32_t frame = 0;  ///< for a saved still the request
+  std::uint32_t frame = 0;  ///< for a saved still or a preview the request
   std::uint32_t revision = 0;
   std::uint32_t input = 0;
   double clock_ms = 0.0;

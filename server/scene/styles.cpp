@@ -69,8 +69,11 @@ const Style& style(const std::string& name) {
   const auto found = std::find_if(styles().begin(), styles().end(),
                                   [&](const Style& style) { return style.name == name; });
   if (found != styles().end()) return *found;
-  throw Error(
-      {.code = "unknown-style", .message = "no such style", .expected = names(), .received = name});
+  throw Error({.code = "unknown-style",
+               .message = "no such style",
+               .field = "/style",
+               .expected = names(),
+               .received = name});
 }
 
 Json describe_styles() {

@@ -127,7 +127,7 @@ class ClientSink {
   /// At most one frame waits behind the one being written; `done(false)` when it was replaced or
   /// could not be sent.
   virtual void send_frame(std::vector<std::uint8_t> message, std::function<void(bool)> done) = 0;
-  /// A saved still is never replaced; the session has at most one under way.
+  /// A saved still or a preview is never replaced; the session has at most one of each under way.
   virtual void send_still(std::vector<std::uint8_t> message, std::function<void(bool)> done) = 0;
 };
 

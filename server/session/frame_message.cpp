@@ -38,6 +38,11 @@ std::vector<std::uint8_t> live_frame_message(std::uint32_t number, const InputSt
   return message(PictureType::live_frame, number, stamp, viewport, frame);
 }
 
+std::vector<std::uint8_t> preview_message(std::uint32_t request, const InputStamp& stamp,
+                                          Viewport viewport, const Frame& frame) {
+  return message(PictureType::preview, request, stamp, viewport, frame);
+}
+
 std::vector<std::uint8_t> saved_still_message(std::uint32_t request, const InputStamp& stamp,
                                               Viewport viewport, const Frame& frame) {
   return message(PictureType::saved_still, request, stamp, viewport, frame);

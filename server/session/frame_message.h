@@ -12,6 +12,9 @@ namespace cutaway {
 std::vector<std::uint8_t> live_frame_message(std::uint32_t number, const InputStamp& stamp,
                                              Viewport viewport, const Frame& frame);
 
+std::vector<std::uint8_t> preview_message(std::uint32_t request, const InputStamp& stamp,
+                                          Viewport viewport, const Frame& frame);
+
 std::vector<std::uint8_t> saved_still_message(std::uint32_t request, const InputStamp& stamp,
                                               Viewport viewport, const Frame& frame);
 

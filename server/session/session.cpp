@@ -4,6 +4,7 @@
 
 #include "core/log.h"
 #include "scene/json_text.h"
+#include "scene/styles.h"
 #include "session/pick.h"
 
 namespace cutaway {
@@ -43,6 +44,12 @@ Session::Session(SessionEnds ends, const SessionSettings& settings)
               [this](std::uint32_t request, const Error& error) {
                 refuse(error, {.input = {}, .request = request});
               }),
+      previews_(ends_.strand, ends_.frames, ends_.client, ends_.preview_view,
+                {.scene = [this](const PreviewMessage& wish) { return in_style(wish); },
+                 .failed =
+                     [this](std::uint32_t request, const Error& error) {
+                       refuse(error, {.input = {}, .request = request});
+                     }}),
       opening_(ends_.strand, ends_.volumes,
                {.progress =
                     [this](LoadStage stage, double fraction) {
@@ -161,6 +168,11 @@ void Session::handle(const SaveStillMessage& message) {
                still_quality(settings_));
 }
 
+void Session::handle(const PreviewMessage& message) {
+  style(message.style);  // refused now where there is none
+  previews_.want(message);
+}
+
 void Session::open_volume(const std::string& id, Json document, InputStamp stamp) {
   stop_opening();
   pending_ = Pending{.volume = id, .document = std::move(document), .stamp = stamp};
@@ -252,6 +264,14 @@ void Session::refuse(const Error& error, const MessageEcho& echo) {
 }
 
 void Session::tell(const Json& message) { ends_.client.send_text(json_text(message)); }
+
+SceneSnapshot Session::in_style(const PreviewMessage& wish) const {
+  shown_scene();
+  const Json document = changed_document(state_.document(), style(wish.style).scene, false);
+  auto scene = std::make_shared<const Scene>(
+      resolve_scene(document, state_.volume()->facts(), {wish.width_px, wish.height_px}));
+  return {.scene = std::move(scene), .revision = state_.revision(), .stamp = stamp_};
+}
 
 SceneSnapshot Session::snapshot() const {
   return {.scene = state_.scene(), .revision = state_.revision(), .stamp = stamp_};

@@ -11,6 +11,7 @@
 #include "scene/server_message.h"
 #include "session/ends.h"
 #include "session/frame_flow.h"
+#include "session/preview_maker.h"
 #include "session/scene_state.h"
 #include "session/settings.h"
 #include "session/still_saver.h"
@@ -26,7 +27,8 @@ struct SessionEnds {
   VolumeLibrary& volumes;
   ClientSink& client;
   std::uint64_t live_view = 0;                      ///< of no other session
-  std::uint64_t still_view = 0;                     ///< of no other session, nor live_view
+  std::uint64_t still_view = 0;                     ///< likewise, nor live_view
+  std::uint64_t preview_view = 0;                   ///< likewise, nor one of the two
   std::shared_ptr<const std::string> capabilities;  ///< the message, ready to send
 };
 
@@ -59,6 +61,7 @@ class Session {
   void handle(const CancelLoadMessage& message);
   void handle(const AckMessage& message);
   void handle(const SaveStillMessage& message);
+  void handle(const PreviewMessage& message);
 
   void open_volume(const std::string& id, Json document, InputStamp stamp);
   void change_shown(const SceneMessage& message);
@@ -76,6 +79,7 @@ class Session {
   void tell(const Json& message);
   void refuse(const Error& error, const MessageEcho& echo);
   SceneSnapshot snapshot() const;
+  SceneSnapshot in_style(const PreviewMessage& wish) const;
 
   SessionEnds ends_;
   SessionSettings settings_;
@@ -85,6 +89,7 @@ class Session {
   InputStamp stamp_;
   FrameFlow flow_;
   StillSaver stills_;
+  PreviewMaker previews_;
   VolumeOpening opening_;
   std::optional<Pending> pending_;
   std::optional<TimePoint> scene_told_at_;

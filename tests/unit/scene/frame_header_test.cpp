@@ -84,7 +84,7 @@ TEST(FrameHeader, RefusesWhatIsNoFrame) {
   using Damage = std::function<void(std::vector<std::uint8_t>&)>;
   const Damage damages[] = {
       [](auto& m) { m.clear(); },   [](auto& m) { m.resize(55); }, [](auto& m) { m[0] = 'X'; },
-      [](auto& m) { m[5] = 0; },    [](auto& m) { m[5] = 3; },     [](auto& m) { m[8] = 55; },
+      [](auto& m) { m[5] = 0; },    [](auto& m) { m[5] = 4; },     [](auto& m) { m[8] = 55; },
       [](auto& m) { m[9] = 0xFF; }, [](auto& m) { m.pop_back(); }, [](auto& m) { m[51] = 0xFF; },
   };
   for (const Damage& damage : damages) {

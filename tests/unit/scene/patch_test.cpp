@@ -50,6 +50,15 @@ TEST(Patch, MergesTheParametersOfTheSameModule) {
             Json::parse(R"({"name": "tone", "detail": 0.5, "terminator": 0.2})"));
 }
 
+TEST(Patch, AnAliasChangesTheParameterThatItStandsFor) {
+  const Json patched =
+      patch_scene_document(complete(), Json::parse(R"({"focus": {"shading": {"ts": 0.1}}})"));
+  EXPECT_DOUBLE_EQ(patched.at("focus").at("shading").at("detail").get<double>(), 0.2);
+  EXPECT_FALSE(patched.at("focus").at("shading").contains("ts"));
+  EXPECT_EQ(refusal_field(complete(), Json::parse(R"({"focus": {"shading": {"ts": 0.6}}})")),
+            "out-of-range /focus/shading/ts");
+}
+
 TEST(Patch, ReplacesAModuleOfAnotherNameWhole) {
   const Json patched = patch_scene_document(
       complete(), Json::parse(R"({"focus": {"shading": {"name": "phong", "exponent": 5}}})"));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "scene/schema.h"
 #include "scene/view_geometry.h"
 #include "unit/scene/sphere_facts.h"
 
@@ -102,6 +103,46 @@ TEST(Resolve, OfItsOwnDocumentGivesTheSameScene) {
     EXPECT_EQ(resolve_scene(complete, ball_facts(), scene.viewport), scene) << document;
     EXPECT_EQ(resolve_scene(Json::parse(complete.dump()), ball_facts(), scene.viewport), scene);
   }
+}
+
+/// An enumerator that is not told to the JSON library would silently become another.
+TEST(Resolve, KnowsEveryChoiceOfTheSchema) {
+  for (const char* field : {"/lens/mode", "/lens/cap", "/camera/projection", "/light/frame"}) {
+    std::string in_schema = field;
+    in_schema.replace(in_schema.rfind('/'), 1, "/properties/");
+    const Json& choices =
+        schema("scene").at(Json::json_pointer("/properties" + in_schema + "/enum"));
+    for (const Json& choice : choices) {
+      Json document = Json::object();
+      document[Json::json_pointer(field)] = choice;
+      EXPECT_EQ(scene_document(resolve_scene(document, ball_facts(), {64, 64}))
+                    .at(Json::json_pointer(field)),
+                choice);
+    }
+  }
+}
+
+TEST(Resolve, RefusesABandWithoutValuesAndAFilterTwice) {
+  const auto refusal = [](const char* text) {
+    try {
+      resolved(text);
+    } catch (const Error& error) {
+      return error.detail().code + " " + error.detail().field;
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refusal(R"({"context": {"surface": {"upper_value": -200}}})"),
+            "invalid-scene /context/surface/upper_value");
+  EXPECT_EQ(refusal(R"({"focus": {"filters": [{"name": "sobel"}, {"name": "sobel"}]}})"),
+            "invalid-scene /focus/filters/1");
+}
+
+TEST(Resolve, TakesParametersByTheirSecondNamesAndAnswersWithTheirFirst) {
+  const Scene scene = resolved(R"({"focus": {"shading": {"name": "tone", "ts": 0.25}},
+      "context": {"filters": [{"name": "kuwahara", "window": 10}]}})");
+  EXPECT_EQ(scene.focus.shading.parameters.at("detail"), 0.5);
+  EXPECT_FALSE(scene.focus.shading.parameters.contains("ts"));
+  EXPECT_EQ(scene.context.filters.at(0).parameters, Json::parse(R"({"radius": 5})"));
 }
 
 TEST(Resolve, LeavesTheLensWhereItIsWhileTheCameraMoves) {

@@ -27,6 +27,7 @@ class SessionFixture : public ::testing::Test {
                     .client = client,
                     .live_view = 1,
                     .still_view = 2,
+                    .preview_view = 3,
                     .capabilities = std::make_shared<const std::string>(
                         R"({"type":"capabilities","protocol":"cutaway.v1"})")},
         settings);

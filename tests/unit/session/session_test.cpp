@@ -198,6 +198,59 @@ TEST_F(SessionTest, LiveFramesGoOnWhileAStillIsMade) {
   EXPECT_EQ(frames.waiting(), 1);
 }
 
+Json preview(std::uint32_t request, const char* style) {
+  return {{"type", "preview"},
+          {"request", request},
+          {"style", style},
+          {"width_px", 120},
+          {"height_px", 90}};
+}
+
+TEST_F(SessionTest, APreviewIsTheSceneInAnotherStyleWhichIsNotTakenUp) {
+  show_ball();
+  scene({{"lens", {{"radius_mm", 17.0}}}});
+  come_to_rest();
+  receive(preview(7, "toon"));
+  const FrameRequest request = frames.finish();
+  strand->run();
+  EXPECT_EQ(request.view, 3);
+  EXPECT_EQ(request.scene->viewport, (Viewport{120, 90}));
+  EXPECT_EQ(request.scene->lens.radius_mm, 17.0);
+  EXPECT_EQ(request.scene->focus.filters.front().name, "kuwahara");
+  ASSERT_EQ(client.stills.size(), 1);
+  EXPECT_EQ(client.stills[0].header.type, PictureType::preview);
+  EXPECT_EQ(client.stills[0].header.frame, 7);
+  strand->advance(Milliseconds(1000.0));
+  EXPECT_TRUE(frames.idle()) << "the scene itself has not changed";
+}
+
+TEST_F(SessionTest, PreviewsAreMadeOneAfterTheOther) {
+  show_ball();
+  receive(preview(1, "flagship"));
+  receive(preview(2, "toon"));
+  EXPECT_EQ(frames.waiting(), 1);
+  for (const std::size_t made : {1U, 2U}) {
+    frames.finish();
+    strand->run();
+    ASSERT_EQ(client.stills.size(), made);
+    client.stills.back().done(true);
+    strand->run();
+  }
+  EXPECT_TRUE(frames.released.contains(3));
+}
+
+TEST_F(SessionTest, PreviewsThatCannotBeMadeAreRefusedWithTheirRequest) {
+  receive(preview(3, "flagship"));
+  expect_error("no-volume");
+  EXPECT_EQ(client.last("error")["request"], 3);
+  show_ball();
+  receive(preview(4, "watercolour"));
+  expect_error("unknown-style", "/style");
+  EXPECT_EQ(client.last("error")["request"], 4);
+  for (std::uint32_t i = 0; i < 66; ++i) receive(preview(100 + i, "toon"));
+  expect_error("rate-limited");
+}
+
 TEST_F(SessionTest, EndsLeavingNothingBehind) {
   show_ball();
   scene({{"volume", "other"}});
