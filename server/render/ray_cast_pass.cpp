@@ -12,6 +12,9 @@ namespace {
 /// Of the surface's position between two samples; the usual, nearly linear ramp needs two.
 constexpr int kRefinementSteps = 5;
 
+/// Neighbouring rays meet a surface that the lens cuts within about so many voxels of each other.
+constexpr double kRimVoxels = 2.0;
+
 /// Above every stored value.
 constexpr float kNoUpperLimit = 3e38F;
 
@@ -45,6 +48,7 @@ void set_search(const gl::Program& program, const RayCastKey& key, const GpuVolu
   const glm::dvec3 spacing = volume.volume().geometry.spacing_mm;
   const double smallest_mm = std::min({spacing.x, spacing.y, spacing.z});
   program.set("step_mm", static_cast<float>(key.step_voxels * smallest_mm));
+  program.set("rim_mm", static_cast<float>(kRimVoxels * smallest_mm));
   program.set("refinement_steps", kRefinementSteps);
   program.set("skip_empty_space", key.skip_empty_space ? 1 : 0);
   set_bands(program, key, volume);

@@ -111,6 +111,38 @@ INSTANTIATE_TEST_SUITE_P(
                                      glm::dvec3(200, 0, 0)),
                      testing::Values(22.0, 60.0), testing::Bool()));
 
+TEST(CutawayRule, LinesEndWhereTheLensCutsTheFocusOff) {
+  // The lens cuts a cap out of a ball; nothing else is there. All of the cap's border is the lens'.
+  const auto volume = load(sphere_volume(centred_geometry(96), 40.0));
+  const Json flat = {{"name", "tone"}, {"dark", {0.5, 0.5, 0.5}}, {"light", {0.5, 0.5, 0.5}}};
+  Json document = {{"camera",
+                    {{"projection", "orthographic"},
+                     {"eye_mm", {0, -200, 0}},
+                     {"target_mm", {0, 0, 0}},
+                     {"up", {0, 0, 1}},
+                     {"view_height_mm", 60}}},
+                   {"context", {{"surface", {{"iso_value", 1000}}}}},
+                   {"focus",
+                    {{"surface", {{"iso_value", 0}}},
+                     {"shading", flat},
+                     {"filters", {{{"name", "sobel"}, {"strength", 1}}}}}},
+                   {"lens", {{"centre_mm", {0, -40, 0}}, {"radius_mm", 15}}}};
+  const auto darkest = [&] {
+    const Scene scene = scene_for(document, volume, {120, 120});
+    const BytePicture picture = GpuHarness::instance().render(scene, volume, settings_for(scene));
+    int least = 255;
+    for (int x = 0; x < 60; ++x) {
+      const int level = picture.rgb({x, 60}).r;
+      if (level != 10) least = std::min(least, level);  // 10: the background
+    }
+    return least;
+  };
+  EXPECT_EQ(darkest(), 128);
+  document["lens"]["radius_mm"] = 200;  // now the whole ball: its outline is its own
+  document["camera"]["view_height_mm"] = 120;
+  EXPECT_EQ(darkest(), 0);
+}
+
 TEST(CutawayRule, ALensOfNoSizeLeavesTheContextAsItIs) {
   const auto volume = load(shells_volume(centred_geometry(80)));
   Json document = {{"lens", {{"centre_mm", {0, -30, 0}}, {"radius_mm", 0}}}};

@@ -75,7 +75,8 @@ class Accumulation {
   glm::dvec3 to_light_;
 };
 
-RayLayers cutaway_layers(const Ray& ray, const Accumulation& accumulation) {
+RayLayers cutaway_layers(const Ray& ray, const Accumulation& accumulation,
+                         const ValueBand& focus_band) {
   RayLayers layers;
   double transmittance = 1.0;
   const auto parts = ray.cutaway_parts();
@@ -83,8 +84,9 @@ RayLayers cutaway_layers(const Ray& ray, const Accumulation& accumulation) {
   const bool reaches_lens = !parts[1].stretch.is_empty() && transmittance > kLeastTransmittance;
   accumulation.add(parts[1], transmittance, layers);
   accumulation.add(parts[2], transmittance, layers);
-  const bool hidden = layers.context.is_met && !reaches_lens;
-  layers.focus.within_outline = layers.focus.is_met || hidden;
+  const bool taken =
+      reaches_lens ? ray.goes_on_behind(parts[1], focus_band) : layers.context.is_met;
+  layers.focus.within_outline = layers.focus.is_met || taken;
   layers.context.within_outline = layers.context.is_met || layers.focus.is_met;
   return layers;
 }
@@ -109,7 +111,8 @@ RayLayers trace(const Scene& scene, const Volume& volume, const ViewRay& view_ra
   if (ray.in_volume().is_empty()) return {};
   const Accumulation accumulation(scene, ray);
   const bool is_magic = scene.lens.mode == LensMode::magic && scene.lens.radius_mm > 0.0;
-  return is_magic ? magic_layers(ray, accumulation) : cutaway_layers(ray, accumulation);
+  return is_magic ? magic_layers(ray, accumulation)
+                  : cutaway_layers(ray, accumulation, scene.focus.surface.band);
 }
 
 }  // namespace cutaway::reference

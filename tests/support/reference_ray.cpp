@@ -57,6 +57,16 @@ bool Ray::is_under_lens() const {
   return !lens.is_empty() && lens.end_mm > 0.0;
 }
 
+bool Ray::goes_on_behind(const RayPart& in_lens, const ValueBand& band) const {
+  const glm::dvec3 spacing = volume_.geometry.spacing_mm;
+  const double rim_mm = 2.0 * std::min({spacing.x, spacing.y, spacing.z});
+  for (const double share : {1.0 / 3.0, 2.0 / 3.0, 1.0}) {
+    const double at_mm = in_lens.stretch.end_mm + share * rim_mm;
+    if (at_mm < box_.end_mm && band.contains(value(at_mm))) return true;
+  }
+  return false;
+}
+
 RayPart Ray::whole(BranchName branch) const {
   return {branch, box_, box_face(), box_.begin_mm == 0.0};
 }

@@ -49,6 +49,8 @@ class Ray {
   /// In front of the cutaway's lens, inside, behind.
   std::array<RayPart, 3> cutaway_parts() const;
   bool is_under_lens() const;
+  /// Whether the band is met within two voxels behind the lens: then the lens has cut it off.
+  bool goes_on_behind(const RayPart& in_lens, const ValueBand& band) const;
 
   /// The first point in the branch's band within the part.
   std::optional<SurfaceHit> first_surface(const RayPart& part, const ValueBand& band) const;

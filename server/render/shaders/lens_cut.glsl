@@ -3,6 +3,7 @@
 uniform int lens_mode;
 uniform bool flat_caps;   // material cut by the lens shows a face of the lens; else the gradient's normal
 uniform bool open_caps;   // material cut by the lens shows nothing: its surface must be entered
+uniform float rim_mm;     // how far behind the lens focus is looked for that the lens has cut off
 
 const int LENS_NONE = 0;
 const int LENS_CUTAWAY = 1;
@@ -59,6 +60,24 @@ Part cutaway_part(int number, Ray ray, vec2 volume_mm, vec2 lens_mm) {
 }
 
 bool is_empty(Part part) { return part.stretch.end_mm <= part.stretch.begin_mm; }
+
+// Whether a ray that has met no focus inside of the lens would do so just behind it. Then the lens has cut the focus off
+// there, and its end is no outline of the anatomy.
+bool is_cut_off(Ray ray, float lens_end_mm, float volume_end_mm) {
+  const int SAMPLES = 3;
+  for (int i = 1; i <= SAMPLES; ++i) {
+    float at_mm = lens_end_mm + rim_mm * float(i) / float(SAMPLES);
+    if (at_mm < volume_end_mm && band_side(FOCUS, value_along(ray, at_mm)) == IN_BAND) return true;
+  }
+  return false;
+}
+
+// Why a ray that meets no focus does not: see branches.glsl.
+float focus_reason(Ray ray, vec2 volume_mm, vec2 lens_mm, bool reaches_lens, bool meets_context) {
+  bool crosses_lens = reaches_lens && lens_mm.y > lens_mm.x;
+  if (crosses_lens) return is_cut_off(ray, lens_mm.y, volume_mm.y) ? REASON_OTHER_BRANCH : REASON_LEFT_LENS;
+  return meets_context ? REASON_OTHER_BRANCH : REASON_LEFT_VOLUME;
+}
 
 // Whether the Magic Lens covers the ray: it is a mask on the picture, however deep the sphere lies.
 bool is_under_lens(Ray ray) {

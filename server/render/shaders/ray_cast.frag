@@ -42,11 +42,14 @@ void cast_cutaway(Ray ray, vec2 volume_mm) {
     if (!is_empty(part)) hit = search_part(ray, part);
   }
   bool is_hit = hit.distance_mm != NO_HIT;
-  bool crossed_lens = lens_mm.y > lens_mm.x && (!is_hit || hit.distance_mm >= lens_mm.y);
-  float focus_reason = crossed_lens ? REASON_LEFT_LENS : is_hit ? REASON_OTHER_BRANCH : REASON_LEFT_VOLUME;
-  bool is_focus = is_hit && hit.branch == FOCUS;
-  focus_surface = is_focus ? surface_of(hit, 0.0) : vec4(0.0, 0.0, 0.0, focus_reason);
-  context_surface = is_focus ? vec4(0.0, 0.0, 0.0, REASON_OTHER_BRANCH) : surface_of(hit, REASON_LEFT_VOLUME);
+  if (is_hit && hit.branch == FOCUS) {
+    focus_surface = surface_of(hit, 0.0);
+    context_surface.w = REASON_OTHER_BRANCH;
+    return;
+  }
+  context_surface = surface_of(hit, REASON_LEFT_VOLUME);
+  bool reaches_lens = !is_hit || hit.distance_mm >= lens_mm.y;
+  focus_surface.w = focus_reason(ray, volume_mm, lens_mm, reaches_lens, is_hit);
 }
 
 void cast_magic(Ray ray, vec2 volume_mm) {

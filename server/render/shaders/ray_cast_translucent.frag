@@ -83,12 +83,11 @@ void cast_cutaway(Ray ray, vec2 volume_mm, inout Layers context, inout Layers fo
   vec2 lens_mm = lens_within(ray, volume_mm);
   float transmittance = 1.0;
   add_part(ray, cutaway_part(0, ray, volume_mm, lens_mm), transmittance, context);
-  float before_lens = transmittance;
+  bool reaches_lens = transmittance > LEAST_TRANSMITTANCE;
   add_part(ray, cutaway_part(1, ray, volume_mm, lens_mm), transmittance, focus);
-  bool crossed_lens = lens_mm.y > lens_mm.x && before_lens > LEAST_TRANSMITTANCE;
   add_part(ray, cutaway_part(2, ray, volume_mm, lens_mm), transmittance, context);
   if (focus.surface.w < 0.0)
-    focus.surface.w = crossed_lens ? REASON_LEFT_LENS : context.surface.w >= 0.0 ? REASON_OTHER_BRANCH : REASON_LEFT_VOLUME;
+    focus.surface.w = focus_reason(ray, volume_mm, lens_mm, reaches_lens, context.surface.w >= 0.0);
   if (context.surface.w < 0.0 && focus.surface.w >= 0.0) context.surface.w = REASON_OTHER_BRANCH;
 }
 

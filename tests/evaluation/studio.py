@@ -1,0 +1,88 @@
+"""Pictures from the product itself: a server that serves one client, which asks for stills."""
+import pathlib
+import sys
+import tempfile
+
+import cv2
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "end_to_end"))
+from wire import Client, Server  # noqa: E402  (a client of protocol/README.md)
+
+SMALL_PX = 96  # of the live picture, which nobody looks at
+CONFIG = "[session]\nstill_supersampling = 1\nrest_ms = 60000\n[log]\nlevel = \"warning\"\n"
+
+
+class Studio:
+    """`with Studio(binary, data) as studio`. Pictures are (height, width, 3) RGB in [0, 1],
+    display-encoded, float32."""
+
+    def __init__(self, binary, data=None):
+        self._config = tempfile.NamedTemporaryFile("w", suffix=".toml")
+        self._config.write(CONFIG)
+        self._config.flush()
+        arguments = ["--config", self._config.name]
+        if data is not None:
+            arguments += ["--data", str(data)]
+        self._server = Server(str(binary), *arguments)
+        self._client = Client(self._server.port)
+        capabilities = self._client.text("capabilities")
+        self.renderer = capabilities["renderer"]
+        self.styles = {style["name"]: style["scene"] for style in capabilities["styles"]}
+        self._listing = self._client.text("volumes")
+        self._requests = 0
+        self._volume = None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._client.close()
+        self._server.stop()
+        self._config.close()
+
+    def volumes(self):
+        """What the server lists, once the scan of the data folder has ended."""
+        while True:
+            message = self._client.receive(timeout_s=3.0)
+            if message is None:
+                return self._listing["volumes"]
+            if isinstance(message, dict) and message["type"] == "volumes":
+                self._listing = message
+
+    def open(self, volume):
+        """Opens the volume with everything chosen anew; returns the scene as the server resolved
+        it."""
+        if volume == self._volume:
+            return self.reset(self.styles["flagship"])
+        self._volume = volume
+        self._client.viewport(SMALL_PX, SMALL_PX)
+        self._client.scene({"volume": volume, **self.styles["flagship"]}, replace=True)
+        self._client.text("loading", volume=volume, stage="ready")
+        return self._client.text("scene")["scene"]
+
+    def reset(self, scene):
+        """The open volume with another scene; what the scene leaves out is chosen anew. Returns it
+        resolved."""
+        self._client.scene({**scene, "volume": self._volume}, replace=True)
+        return self._client.text("scene")["scene"]
+
+    def drag_lens(self, x, y):
+        """Puts the lens on the surface under a point of the view, (0, 0) its upper left and (1, 1)
+        its lower right corner; returns the centre in mm (LPS)."""
+        self._client.send_input("drag_lens", position_px=[x * SMALL_PX, y * SMALL_PX])
+        return self._client.text("scene")["scene"]["lens"]["centre_mm"]
+
+    def change(self, scene):
+        """Merges a partial scene into the one that is shown."""
+        self._client.scene(scene)
+
+    def picture(self, width_px, height_px):
+        """The scene as it is, lossless."""
+        self._requests += 1
+        self._client.send(
+            type="save_still", request=self._requests, width_px=width_px, height_px=height_px
+        )
+        data = self._client.saved(self._requests).data
+        stored = cv2.imdecode(numpy.frombuffer(data, numpy.uint8), cv2.IMREAD_COLOR)
+        return stored[..., ::-1].astype(numpy.float32) / 255
