@@ -4,8 +4,10 @@ Usage: session_test.py CUTAWAY_BINARY [unittest arguments]
 """
 
 import json
+import pathlib
 import struct
 import sys
+import tempfile
 import unittest
 
 from wire import Client, Closed, Server, WebSocket, jpeg_size, png_size
@@ -14,6 +16,12 @@ BINARY = None
 HEAD = "phantom:head@64"
 KNEES = "phantom:knees@64"
 SILENCE_S = 1.5
+
+
+def nrrd(size):
+    """A whole NRRD file of zeros."""
+    head = f"NRRD0004\ntype: uint8\ndimension: 3\nsizes: {' '.join(map(str, size))}\nencoding: raw\n\n"
+    return head.encode() + bytes(size[0] * size[1] * size[2])
 
 
 class ServedTest(unittest.TestCase):
@@ -75,16 +83,16 @@ class BeginningTest(ServedTest):
 
     def test_opening_reports_progress_then_the_scene_then_frames(self):
         client = self.connect()
-        opening, message = client.open(HEAD)
+        opening, message = client.open("phantom:head@72")  # of this test alone: what is loaded is not loaded again
         stages = [text["stage"] for text in client.texts if text["type"] == "loading"]
         order = ["read", "decode", "min_max", "upload", "ready"]
         self.assertEqual(stages[-1], "ready")
         self.assertEqual(stages, sorted(stages, key=order.index))
         self.assertIn("upload", stages)
-        self.assertEqual(message["scene"]["volume"], HEAD)
-        self.assertEqual(message["volume"]["size_voxels"], [64, 64, 64])
+        self.assertEqual(message["scene"]["volume"], "phantom:head@72")
+        self.assertEqual(message["volume"]["size_voxels"], [72, 72, 72])
         self.assertEqual(message["volume"]["units"], "HU")
-        self.assertEqual(sum(message["volume"]["histogram"]), 64**3)
+        self.assertEqual(sum(message["volume"]["histogram"]), 72**3)
         for field in ("camera", "focus", "context", "lens", "light", "background"):
             self.assertIn(field, message["scene"])
         frame = client.frame()
@@ -266,6 +274,67 @@ class VolumeTest(ServedTest):
         client.text("loading", stage="ready")
         message = client.text("scene")
         self.assertEqual(message["scene"]["background"]["colour"], [0, 0, 0.5])
+
+
+class DataTest(unittest.TestCase):
+    """A data folder with files that cannot be shown."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        (cls.folder / "long.nrrd").write_bytes(nrrd((20_000, 4, 4)))
+        (cls.folder / "short.nrrd").write_bytes(nrrd((8, 8, 8))[:-5])
+        cls.server = Server(BINARY, "--data", folder.name)
+        cls.addClassCleanup(cls.server.stop)
+        cls.listing = cls.scanned()
+
+    @classmethod
+    def scanned(cls):
+        client = Client(cls.server.port)
+        try:
+            return client.until(lambda message: message["type"] == "volumes" and message["refused"], "a scan")
+        finally:
+            client.close()
+
+    def setUp(self):
+        if not any(volume["format"] == "NRRD" for volume in self.listing["volumes"]):
+            self.skipTest("this build reads no files")
+        self.client = Client(self.server.port)
+        self.addCleanup(self.client.close)
+
+    def test_a_broken_file_is_listed_from_the_data_folder_on(self):
+        self.assertEqual([entry["path"] for entry in self.listing["refused"]], ["short.nrrd"])
+        self.assertNotIn(str(self.folder), json.dumps(self.listing))
+
+    def test_a_volume_that_the_renderer_cannot_hold_leaves_what_was_shown(self):
+        (long_one,) = [volume["id"] for volume in self.listing["volumes"] if volume["format"] == "NRRD"]
+        self.client.open(HEAD)
+        self.client.rest()
+        before = len(self.client.texts)
+        self.client.scene({"volume": long_one})
+        error = self.client.text("error")
+        self.assertEqual((error["code"], error["field"], error["received"]), ("volume-refused", "/volume", "20000"))
+        self.client.text("loading", volume=long_one, stage="failed")
+        stages = [text["stage"] for text in self.client.texts[before:] if text["type"] == "loading"]
+        self.assertEqual(stages, ["failed"], "voxels were read for nothing")
+        self.client.frame(self.client.scene({"background": {"colour": [0, 0.2, 0]}}))
+
+    def test_a_file_that_is_gone_is_refused_without_its_path(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "gone.nrrd"
+            path.write_bytes(nrrd((8, 8, 8)))
+            server = Server(BINARY, "--data", folder)
+            self.addCleanup(server.stop)
+            client = Client(server.port)
+            self.addCleanup(client.close)
+            listed = client.until(lambda message: message["type"] == "volumes" and len(message["volumes"]) > 3, "it")
+            path.unlink()
+            client.scene({"volume": listed["volumes"][0]["id"]})
+            error = client.text("error")
+        self.assertEqual(error["field"], "/volume")
+        self.assertNotIn(folder, json.dumps(error))
 
 
 class BadInputTest(ServedTest):
