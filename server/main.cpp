@@ -11,7 +11,12 @@ int main(int argc, char** argv) {
   CLI::App app(
       "Renders medical volumes as focus and context illustrations. Not for diagnostic use.",
       "cutaway");
-  app.require_subcommand(1);
+  // Not required of CLI11 itself, which would ask for one before it names a word that it does not
+  // know.
+  app.require_subcommand(0, 1);
+  app.callback([&app] {
+    if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
+  });
   app.set_version_flag("--version", "cutaway " CUTAWAY_VERSION);
   cutaway::add_commands(app);
   try {

@@ -1,11 +1,10 @@
 #include "app/commands.h"
 
-#include <cstdio>
 #include <iostream>
 #include <memory>
 
-#include "app/frame_service.h"
 #include "app/info_command.h"
+#include "app/picture_size.h"
 #include "app/render_command.h"
 #include "app/serve_options.h"
 #include "app/terminal_progress.h"
@@ -19,14 +18,12 @@ namespace cutaway {
 
 namespace {
 
-/// "WIDTHxHEIGHT" in pixels.
-bool parse_size(const std::vector<std::string>& words, std::optional<Viewport>& size) {
-  Viewport parsed;
-  char rest = 0;
-  if (std::sscanf(words.at(0).c_str(), "%dx%d%c", &parsed.width_px, &parsed.height_px, &rest) != 2)
-    return false;
-  size = parsed;
-  return true;
+/// A complaint, as CLI11 wants it; empty where the text is right.
+std::string valid_size(const std::string& text) try {
+  parse_picture_size(text);
+  return "";
+} catch (const Error& error) {
+  return error.what();
 }
 
 void add_render(CLI::App& app) {
@@ -38,10 +35,11 @@ void add_render(CLI::App& app) {
   render->add_option("--volume", command->volume,
                      "phantom:NAME[@SIZE], a file or a folder; PATH#ID for one of several");
   render
-      ->add_option(
-          "--size", [command](const auto& words) { return parse_size(words, command->size); },
+      ->add_option_function<std::string>(
+          "--size", [command](const auto& text) { command->size = parse_picture_size(text); },
           "Picture size in pixels")
-      ->type_name("WIDTHxHEIGHT");
+      ->type_name("WIDTHxHEIGHT")
+      ->check(valid_size);
   render->add_option("--supersampling", command->supersampling, "Rays a pixel each way")
       ->check(CLI::Range(1, 4))
       ->capture_default_str();
@@ -81,16 +79,10 @@ void add_import_worker([[maybe_unused]] CLI::App& app) {
 #endif
 }
 
-std::unique_ptr<FrameSource> make_frame_service(const RendererSettings& settings,
-                                                VolumeLookup find_volume) {
-  return std::make_unique<FrameService>(gl::ContextOptions{.require_gpu = settings.require_gpu},
-                                        settings.encode_threads, std::move(find_volume));
-}
-
 }  // namespace
 
 void add_commands(CLI::App& app) {
-  add_serve(app, make_frame_service);
+  add_serve(app);
   add_info(app);
   add_render(app);
   add_import_worker(app);

@@ -59,6 +59,9 @@ std::vector<ConfigKey> server_keys() {
       {"server", "message_bytes",
        integer(
            1024, 64 * kMillion, [](Config & c) -> auto& { return c.net.message_bytes; })},
+      {"server", "dropped_message_bytes",
+       integer(
+           1024, 1 << 30, [](Config & c) -> auto& { return c.net.dropped_message_bytes; })},
       {"server", "queued_text_bytes",
        integer(
            64 * 1024, kTera, [](Config & c) -> auto& { return c.net.queued_text_bytes; })},

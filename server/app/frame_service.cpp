@@ -59,8 +59,23 @@ Frame encoded_frame(const RenderedFrame& rendered) {
 }
 
 Error volume_gone(const std::string& id) {
-  return Error(
-      {.code = "no-volume", .message = "the volume is not in memory any more", .field = id});
+  return Error({.code = "no-volume",
+                .message = "the volume is not in memory any more",
+                .field = "/volume",
+                .received = id});
+}
+
+FrameOutcome frame_of(const RenderOutcome& outcome) {
+  if (std::holds_alternative<RenderReplaced>(outcome)) return FrameReplaced{};
+  if (const auto* error = std::get_if<Error>(&outcome)) return *error;
+  try {
+    return encoded_frame(std::get<RenderedFrame>(outcome));
+  } catch (const Error& error) {
+    return error;
+  } catch (const std::exception& failure) {
+    log().error("a frame could not be compressed: {}", failure.what());
+    return Error({.code = "render-failed", .message = "the picture could not be compressed"});
+  }
 }
 
 }  // namespace
@@ -87,30 +102,21 @@ RenderRequest FrameService::render_request(const FrameRequest& request) const {
 
 void FrameService::submit(FrameRequest request, Done done) {
   RenderRequest to_render = render_request(request);
-  if (!to_render.volume) {
-    boost::asio::post(encoders_, [done, id = request.scene->volume] { done(volume_gone(id)); });
-    return;
-  }
+  if (!to_render.volume) return end(volume_gone(request.scene->volume), std::move(done));
   renderer_->submit({std::move(to_render), [this, done = std::move(done)](RenderOutcome outcome) {
-                       // Posted, since a newer request may be replacing this one inside its own
-                       // submit.
-                       boost::asio::post(
-                           encoders_, [this, done, outcome = std::move(outcome)]() mutable {
-                             if (std::holds_alternative<RenderReplaced>(outcome))
-                               return done(FrameReplaced{});
-                             if (const auto* error = std::get_if<Error>(&outcome))
-                               return done(*error);
-                             encode(std::move(std::get<RenderedFrame>(outcome)), done);
-                           });
+                       end(std::move(outcome), done);
                      }});
 }
 
-void FrameService::encode(RenderedFrame frame, const Done& done) {
-  try {
-    done(encoded_frame(frame));
-  } catch (const Error& error) {
-    done(error);
-  }
+// Posted, since a newer request may be replacing this one inside its own submit.
+void FrameService::end(RenderOutcome outcome, Done done) {
+  boost::asio::post(encoders_, [outcome = std::move(outcome), done = std::move(done)] {
+    try {
+      done(frame_of(outcome));
+    } catch (const std::exception& failure) {
+      log().error("a frame was not taken: {}", failure.what());
+    }
+  });
 }
 
 bool FrameService::renew(const FrameRequest& request) {
@@ -126,6 +132,13 @@ RendererDescription FrameService::describe() const {
 
 std::string FrameService::trouble() const {
   return renderer_->is_lost() ? "the graphics device was lost" : "";
+}
+
+UploadTarget FrameService::upload_target() {
+  return {.largest_edge_voxels = renderer_->info().largest_edge_voxels,
+          .upload = [this](const auto& volume, const auto& progress, std::stop_token stop) {
+            renderer_->upload(volume, progress, std::move(stop));
+          }};
 }
 
 }  // namespace cutaway

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/upload_target.h"
 #include "render/render_thread.h"
 #include "session/ends.h"
 
@@ -26,10 +27,13 @@ class FrameService : public FrameSource {
   RendererDescription describe() const override;
   std::string trouble() const override;
 
+  /// Works for as long as this does.
+  UploadTarget upload_target();
+
  private:
   using Done = std::function<void(FrameOutcome)>;
   RenderRequest render_request(const FrameRequest& request) const;
-  void encode(RenderedFrame frame, const Done& done);
+  void end(RenderOutcome outcome, Done done);
 
   FindVolume find_volume_;
   boost::asio::thread_pool encoders_;

@@ -1,9 +1,10 @@
 #include "app/render_command.h"
 
-#include <cstdio>
-#include <fstream>
 #include <future>
 
+#include "app/output_file.h"
+#include "app/picture_size.h"
+#include "app/scene_file.h"
 #include "app/terminal_progress.h"
 #include "app/volume_argument.h"
 #include "core/log.h"
@@ -17,33 +18,7 @@ namespace cutaway {
 
 namespace {
 
-constexpr int kLargestSidePx = 8192;
 constexpr double kStillStepVoxels = 0.5;
-
-Json read_document(const std::string& path) {
-  std::ifstream file(path);
-  if (!file)
-    throw Error({.code = "invalid-scene", .message = "the scene cannot be read", .field = path});
-  try {
-    Json document = Json::parse(file);
-    // A style carries its scene with a name and a description around it.
-    return document.is_object() && document.contains("scene") ? document.at("scene") : document;
-  } catch (const Json::exception& error) {
-    throw Error({.code = "malformed-json", .message = error.what(), .field = path});
-  }
-}
-
-void check_size(Viewport size) {
-  if (std::min(size.width_px, size.height_px) >= 1 &&
-      std::max(size.width_px, size.height_px) <= kLargestSidePx)
-    return;
-  throw Error({.code = "out-of-range",
-               .message = "no picture of this size",
-               .field = "--size",
-               .expected = "1x1 to " + std::to_string(kLargestSidePx) + "x" +
-                           std::to_string(kLargestSidePx) + " px",
-               .received = std::to_string(size.width_px) + "x" + std::to_string(size.height_px)});
-}
 
 std::string volume_of(const RenderCommand& command, const Json& document) {
   return command.volume ? *command.volume : document.value("volume", phantom_id({}));
@@ -51,8 +26,8 @@ std::string volume_of(const RenderCommand& command, const Json& document) {
 
 Pixels render_once(const RenderCommand& command, RenderRequest request) {
   RenderThread renderer({.require_gpu = command.require_gpu});
-  log().info("OpenGL renderer: {}{}", renderer.info().renderer,
-             renderer.info().is_software ? " (software)" : "");
+  log().debug("OpenGL renderer: {}{}", renderer.info().renderer,
+              renderer.info().is_software ? " (software)" : "");
   std::promise<RenderOutcome> promise;
   auto outcome = promise.get_future();
   renderer.submit(
@@ -62,22 +37,13 @@ Pixels render_once(const RenderCommand& command, RenderRequest request) {
   return std::move(std::get<RenderedFrame>(result).pixels);
 }
 
-void write_file(const std::string& path, const std::vector<std::uint8_t>& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file)
-    throw Error({.code = "internal", .message = "the picture cannot be written", .field = path});
-}
-
 }  // namespace
 
 void run_render(const RenderCommand& command) {
-  Json document = read_document(command.scene_path);
-  validate_scene_document(document);
+  const Json document = read_scene_file(command.scene_path);
   const Viewport size = command.size.value_or(document_viewport(document));
-  check_size(size);
+  check_picture_size(size);
+  check_writable(command.output_path);
   const auto volume = load_volume_argument(volume_of(command, document), terminal_progress());
   const Scene scene = resolve_scene(document, facts_of(volume), size);
   const Pixels pixels =

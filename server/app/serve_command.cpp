@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/frame_service.h"
 #include "app/volume_service.h"
 #include "core/log.h"
 #include "net/server.h"
@@ -17,25 +18,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The parts of a running server. What is declared later is destroyed earlier: frames that are
-/// still under way end on strands that still stand.
+/// The parts of a running server. The listener comes first, so that an address that cannot be had
+/// is said at once; nobody is answered before run. What is declared later is destroyed earlier:
+/// loads end before what they upload to, frames that are still under way end on strands that still
+/// stand.
 class Serving {
  public:
-  Serving(const Config& config, const FrameSourceFactory& make_frames);
+  explicit Serving(const Config& config);
 
-  std::string url() const { return server_->url(); }
-  void run() { server_->run(); }
+  std::string url() const { return server_.url(); }
+  void run() { server_.run(); }
 
  private:
   Server::Hooks hooks();
   std::unique_ptr<Session> make_session(std::shared_ptr<Strand> strand, ClientSink& client);
 
   SessionSettings session_settings_;
-  VolumeService volumes_;
   std::shared_ptr<const std::string> capabilities_;
   std::atomic<std::uint64_t> next_view_{1};
-  std::unique_ptr<Server> server_;
-  std::unique_ptr<FrameSource> frames_;
+  Server server_;
+  std::unique_ptr<FrameService> frames_;
+  std::unique_ptr<VolumeService> volumes_;
 };
 
 std::string capabilities_text(const Config& config, const RendererDescription& renderer) {
@@ -66,12 +69,6 @@ VolumeSettings with_reader(VolumeSettings settings) {
   return settings;
 }
 
-NetSettings with_web_root(NetSettings settings) {
-  settings.web_root = find_web_root(settings.web_root);
-  if (settings.web_root.empty()) log().warn("the web client is not built: only the API is served");
-  return settings;
-}
-
 void check_data(const std::vector<fs::path>& data) {
   for (const fs::path& path : data) {
     if (fs::exists(path)) continue;
@@ -82,18 +79,20 @@ void check_data(const std::vector<fs::path>& data) {
   }
 }
 
-Serving::Serving(const Config& config, const FrameSourceFactory& make_frames)
-    : session_settings_(config.session), volumes_(with_reader(config.volumes)) {
-  frames_ =
-      make_frames(config.renderer, [this](const std::string& id) { return volumes_.loaded(id); });
+Serving::Serving(const Config& config)
+    : session_settings_(config.session), server_(config.net, hooks()) {
+  frames_ = std::make_unique<FrameService>(
+      gl::ContextOptions{.require_gpu = config.renderer.require_gpu},
+      config.renderer.encode_threads,
+      [this](const std::string& id) { return volumes_->loaded(id); });
+  volumes_ = std::make_unique<VolumeService>(with_reader(config.volumes), frames_->upload_target());
   const RendererDescription renderer = frames_->describe();
   say_renderer(renderer);
   capabilities_ = std::make_shared<const std::string>(capabilities_text(config, renderer));
-  server_ = std::make_unique<Server>(with_web_root(config.net), hooks());
 }
 
 Server::Hooks Serving::hooks() {
-  return {.sources = {.volumes = [this] { return volumes_.listing(); },
+  return {.sources = {.volumes = [this] { return volumes_->listing(); },
                       .trouble = [this] { return frames_->trouble(); }},
           .make_session = [this](std::shared_ptr<Strand> strand, ClientSink& client) {
             return make_session(std::move(strand), client);
@@ -104,7 +103,7 @@ std::unique_ptr<Session> Serving::make_session(std::shared_ptr<Strand> strand, C
   const std::uint64_t view = next_view_.fetch_add(3);
   return std::make_unique<Session>(SessionEnds{.strand = std::move(strand),
                                                .frames = *frames_,
-                                               .volumes = volumes_,
+                                               .volumes = *volumes_,
                                                .client = client,
                                                .live_view = view,
                                                .still_view = view + 1,
@@ -127,10 +126,15 @@ fs::path find_web_root(const fs::path& configured) {
   return {};
 }
 
-void run_serve(const Config& config, const FrameSourceFactory& make_frames) {
+void run_serve(const Config& config) {
   log().set_level(spdlog::level::from_str(config.log_level));
   check_data(config.volumes.data);
-  Serving serving(config, make_frames);
+  Config complete = config;
+  complete.net.web_root = find_web_root(config.net.web_root);
+  Serving serving(complete);
+  if (complete.net.web_root.empty()) {
+    log().warn("the web client is not built: only the API is served");
+  }
   std::printf("Cutaway is at %s\n", serving.url().c_str());
   std::fflush(stdout);
   serving.run();

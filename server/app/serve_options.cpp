@@ -2,7 +2,8 @@
 
 #include <memory>
 #include <optional>
-#include <utility>
+
+#include "core/error.h"
 
 namespace cutaway {
 
@@ -16,6 +17,15 @@ struct ServeOptions {
   bool require_gpu = false;
 };
 
+/// A complaint, as CLI11 wants it; empty where the text is right.
+std::string valid_listen(const std::string& text) try {
+  NetSettings unused;
+  parse_listen(text, unused);
+  return "";
+} catch (const Error& error) {
+  return error.what();
+}
+
 Config config_from(const ServeOptions& options) {
   Config config;
   if (options.config) read_config_file(*options.config, config);
@@ -28,7 +38,7 @@ Config config_from(const ServeOptions& options) {
 
 }  // namespace
 
-void add_serve(CLI::App& app, FrameSourceFactory make_frames) {
+void add_serve(CLI::App& app) {
   const auto options = std::make_shared<ServeOptions>();
   CLI::App* serve = app.add_subcommand("serve", "Serves volumes to browsers until it is stopped");
   serve->add_option("--data", options->data, "Folder or file with volumes; may be given again")
@@ -37,14 +47,13 @@ void add_serve(CLI::App& app, FrameSourceFactory make_frames) {
   serve
       ->add_option("--listen", options->listen,
                    "Where to listen; port 0 picks a free one [127.0.0.1:8080]")
-      ->type_name("ADDRESS:PORT");
+      ->type_name("ADDRESS:PORT")
+      ->check(valid_listen);
   serve->add_option("--config", options->config, "Configuration file (TOML)")->type_name("FILE");
   serve->add_option("--web-root", options->web_root, "Folder of the built web client")
       ->type_name("DIR");
   serve->add_flag("--require-gpu", options->require_gpu, "Refuse software rendering");
-  serve->callback([options, make_frames = std::move(make_frames)] {
-    run_serve(config_from(*options), make_frames);
-  });
+  serve->callback([options] { run_serve(config_from(*options)); });
 }
 
 }  // namespace cutaway

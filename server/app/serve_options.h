@@ -9,6 +9,6 @@ namespace cutaway {
 
 /// Adds the subcommand; parsing runs it. What the command line says goes before what the
 /// configuration file says.
-void add_serve(CLI::App& app, FrameSourceFactory make_frames);
+void add_serve(CLI::App& app);
 
 }  // namespace cutaway

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/client_words.h"
 #include "core/log.h"
 #include "scene/scene_json.h"
 #include "volume/phantoms.h"
@@ -47,7 +48,7 @@ Error unknown(const std::string& id) {
 }  // namespace
 
 VolumeCatalogue::VolumeCatalogue(const VolumeSettings& settings, std::function<void()> changed)
-    : settings_(settings), changed_(std::move(changed)) {
+    : settings_(settings), changed_(std::move(changed)), folders_to_scan_(settings.data.size()) {
   for (const PhantomKind kind : {PhantomKind::head, PhantomKind::abdomen, PhantomKind::knees}) {
     phantoms_.push_back(phantom_entry({.kind = kind}));
   }
@@ -62,14 +63,12 @@ Json VolumeCatalogue::listing() const {
   return {{"volumes", std::move(volumes)}, {"refused", refused_}};
 }
 
-CatalogueEntry VolumeCatalogue::find(const std::string& id, std::stop_token stop) const {
+std::optional<CatalogueEntry> VolumeCatalogue::find(const std::string& id) const {
   if (const auto phantom = parse_phantom_id(id)) return phantom_entry(*phantom);
-  std::unique_lock lock(mutex_);
-  std::optional<CatalogueEntry> entry;
-  found_.wait(lock, stop, [&] { return (entry = known(id)).has_value() || scanned_; });
-  if (entry) return *entry;
-  throw_if_cancelled(stop);
-  throw unknown(id);
+  const std::lock_guard lock(mutex_);
+  std::optional<CatalogueEntry> entry = known(id);
+  if (!entry && folders_to_scan_ == 0) throw unknown(id);
+  return entry;
 }
 
 std::optional<CatalogueEntry> VolumeCatalogue::known(const std::string& id) const {
@@ -87,16 +86,16 @@ void VolumeCatalogue::scan_all(const std::stop_token& stop) {
       return;
     } catch (const std::exception& failure) {
       log().warn("{} cannot be scanned: {}", path.string(), failure.what());
-      refuse(path.string(), failure.what());
+      const auto* error = dynamic_cast<const Error*>(&failure);
+      refuse(path_for_client(path, path),
+             error != nullptr ? error->detail().message : "it cannot be scanned");
     }
-    found_.notify_all();
+    {
+      const std::lock_guard lock(mutex_);
+      --folders_to_scan_;
+    }
     changed_();
   }
-  {
-    const std::lock_guard lock(mutex_);
-    scanned_ = true;
-  }
-  found_.notify_all();
 }
 
 #ifdef CUTAWAY_IMPORT
@@ -117,29 +116,43 @@ Volume read_source(const VolumeSettings& settings, const VolumeSource& source,
                               std::move(stop));
 }
 
+// The field stays whole: it is for the log.
+Error in_words_for_client(const Error& error, const fs::path& root) {
+  Error::Detail detail = error.detail();
+  for (std::string* text : {&detail.message, &detail.expected, &detail.received}) {
+    *text = text_for_client(std::move(*text), root);
+  }
+  return Error(detail);
+}
+
+CatalogueEntry file_entry(const VolumeSettings& settings, const VolumeSource& source,
+                          const fs::path& root) {
+  return {.description = source.description,
+          .geometry = source.geometry,
+          .read = [settings, source, root](const ProgressSink& progress, std::stop_token stop) {
+            try {
+              return read_source(settings, source, progress, std::move(stop));
+            } catch (const Error& error) {
+              throw in_words_for_client(error, root);
+            }
+          }};
+}
+
 }  // namespace
 
 void VolumeCatalogue::scan(const fs::path& path, const std::stop_token& stop) {
   const fs::path root = fs::is_directory(path) ? path : fs::absolute(path).parent_path();
   const Listing listing = scan_path(settings_, path, root, stop);
-  for (const VolumeSource& source : listing.volumes) {
-    add({.description = source.description,
-         .geometry = source.geometry,
-         .read = [settings = settings_, source](const ProgressSink& progress,
-                                                std::stop_token cancel) {
-           return read_source(settings, source, progress, std::move(cancel));
-         }});
-  }
+  for (const VolumeSource& source : listing.volumes) add(file_entry(settings_, source, root));
   for (const RefusedFile& file : listing.refused) {
-    const fs::path relative = file.path.lexically_relative(fs::weakly_canonical(root));
-    refuse(relative.empty() ? file.path.string() : relative.string(), file.reason);
+    refuse(path_for_client(file.path, root), text_for_client(file.reason, root));
   }
   log().info("{}: {} volumes, {} refused", path.string(), listing.volumes.size(),
              listing.refused.size());
 }
 #else
 void VolumeCatalogue::scan(const fs::path& path, const std::stop_token&) {
-  refuse(path.string(), "this build reads no files, only phantoms");
+  refuse(path_for_client(path, path), "this build reads no files, only phantoms");
 }
 #endif
 
@@ -153,9 +166,9 @@ void VolumeCatalogue::add(CatalogueEntry entry) {
   files_.push_back(std::move(entry));
 }
 
-void VolumeCatalogue::refuse(const std::string& path, const std::string& reason) {
+void VolumeCatalogue::refuse(std::string path, std::string reason) {
   const std::lock_guard lock(mutex_);
-  refused_.push_back({{"path", path}, {"reason", reason}});
+  refused_.push_back({{"path", std::move(path)}, {"reason", std::move(reason)}});
 }
 
 }  // namespace cutaway

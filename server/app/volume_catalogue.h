@@ -1,10 +1,8 @@
 // What can be opened: phantoms at once, files as a scan finds them.
 #pragma once
 
-#include <condition_variable>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -28,31 +26,30 @@ struct CatalogueEntry {
 /// Thread-safe. Folders are scanned one after the other on a thread of its own.
 class VolumeCatalogue {
  public:
-  /// `changed` is called from the scanning thread after each folder.
+  /// `changed` is called from the scanning thread after each folder; it throws nothing.
   VolumeCatalogue(const VolumeSettings& settings, std::function<void()> changed);
 
   /// As protocol/schema/volumes.schema.json has it: files in the order of their folders, then the
   /// phantoms.
   Json listing() const;
-  /// Waits for the scan to find it or to end; any phantom id is found, listed or not. Throws Error
-  /// for an unknown id, Cancelled when stopped.
-  CatalogueEntry find(const std::string& id, std::stop_token stop) const;
+  /// Any phantom id is found, listed or not. Nothing while the scan may still find it; throws Error
+  /// for an unknown id.
+  std::optional<CatalogueEntry> find(const std::string& id) const;
 
  private:
   std::optional<CatalogueEntry> known(const std::string& id) const;
   void scan_all(const std::stop_token& stop);
   void scan(const std::filesystem::path& path, const std::stop_token& stop);
   void add(CatalogueEntry entry);
-  void refuse(const std::string& path, const std::string& reason);
+  void refuse(std::string path, std::string reason);
 
   VolumeSettings settings_;
   std::function<void()> changed_;
   mutable std::mutex mutex_;
-  mutable std::condition_variable_any found_;
   std::vector<CatalogueEntry> files_;
   std::vector<CatalogueEntry> phantoms_;
   Json refused_ = Json::array();
-  bool scanned_ = false;
+  std::size_t folders_to_scan_;
   std::jthread scanner_;  ///< last: it uses all the others
 };
 

@@ -3,8 +3,10 @@
 #include <boost/asio/post.hpp>
 #include <utility>
 
+#include "app/client_words.h"
 #include "app/load_job.h"
 #include "core/log.h"
+#include "render/texture_limit.h"
 
 namespace cutaway {
 
@@ -63,11 +65,11 @@ class LoadTicket final : public OpenTicket {
   std::shared_ptr<LoadWaiter> waiter_;
 };
 
-VolumeService::VolumeService(const VolumeSettings& settings)
-    : settings_(settings),
+VolumeService::VolumeService(const VolumeSettings& settings, UploadTarget target)
+    : target_(std::move(target)),
       cache_(settings.memory_bytes),
       pool_(static_cast<std::size_t>(settings.load_threads)),
-      catalogue_(settings, [this] { announce_listing(); }) {}
+      catalogue_(settings, [this] { listing_changed(); }) {}
 
 VolumeService::~VolumeService() {
   pool_.stop();
@@ -82,15 +84,20 @@ std::unique_ptr<OpenTicket> VolumeService::watch(std::function<void()> changed) 
   return std::make_unique<WatchTicket>(watch);
 }
 
-void VolumeService::announce_listing() {
+void VolumeService::listing_changed() noexcept try {
   std::list<std::weak_ptr<ListingWatch>> watches;
+  std::list<std::shared_ptr<LoadJob>> jobs;
   {
     const std::lock_guard lock(mutex_);
     watches = watches_;
+    jobs.swap(put_by_);
   }
+  for (const auto& job : jobs) begin(job);
   for (const auto& each : watches) {
     if (const auto watch = each.lock()) watch->call();
   }
+} catch (const std::exception& failure) {
+  log().error("a changed list of volumes was not told: {}", failure.what());
 }
 
 std::unique_ptr<OpenTicket> VolumeService::open(const std::string& id, ProgressSink progress,
@@ -106,7 +113,7 @@ std::unique_ptr<OpenTicket> VolumeService::open(const std::string& id, ProgressS
 }
 
 void VolumeService::begin(const std::shared_ptr<LoadJob>& job) {
-  boost::asio::post(pool_, [this, job] { load(*job); });
+  boost::asio::post(pool_, [this, job] { load(job); });
 }
 
 std::shared_ptr<const LoadedVolume> VolumeService::loaded(const std::string& id) {
@@ -115,26 +122,40 @@ std::shared_ptr<const LoadedVolume> VolumeService::loaded(const std::string& id)
   return volume ? volume->loaded() : nullptr;
 }
 
-void VolumeService::load(LoadJob& job) {
+void VolumeService::load(const std::shared_ptr<LoadJob>& job) {
+  const std::string& id = job->id();
   try {
-    finish(job, read(job));
+    if (const auto entry = find(job)) finish(*job, read(*entry, *job));
   } catch (const Cancelled&) {
-    finish(job, Cancelled());
+    finish(*job, Cancelled());
   } catch (const Error& error) {
-    log().warn("{} was not opened: {}", job.id(), error.what());
-    finish(job, error);
+    log().warn("{} was not opened: {}", id, error.what());
+    finish(*job, error_for_client(error, id));
   } catch (const std::bad_alloc&) {
-    finish(job, Error({.code = "too-large",
-                       .message = "there is not enough memory for this volume",
-                       .field = job.id()}));
+    finish(*job, Error({.code = "too-large",
+                        .message = "there is not enough memory for this volume",
+                        .field = "/volume",
+                        .received = id}));
   } catch (const std::exception& failure) {
-    log().error("{} was not opened: {}", job.id(), failure.what());
-    finish(job, Error({.code = "internal", .message = "the volume could not be read"}));
+    log().error("{} was not opened: {}", id, failure.what());
+    finish(*job, Error({.code = "internal",
+                        .message = "the volume could not be read",
+                        .field = "/volume",
+                        .received = id}));
   }
 }
 
-std::shared_ptr<const OpenedVolume> VolumeService::read(LoadJob& job) {
-  const CatalogueEntry entry = catalogue_.find(job.id(), job.stop());
+// Looked up and put by in one step: a listing that changes in between would be missed.
+std::optional<CatalogueEntry> VolumeService::find(const std::shared_ptr<LoadJob>& job) {
+  const std::lock_guard lock(mutex_);
+  throw_if_cancelled(job->stop());
+  auto entry = catalogue_.find(job->id());
+  if (!entry) put_by_.push_back(job);
+  return entry;
+}
+
+std::shared_ptr<const OpenedVolume> VolumeService::read(const CatalogueEntry& entry, LoadJob& job) {
+  check_texture_limit(entry.geometry.size_voxels, target_.largest_edge_voxels);
   const std::uint64_t bytes = expected_bytes(entry.geometry);
   if (auto volume = reserve(job.id(), bytes)) return volume;
   try {
@@ -170,7 +191,7 @@ std::shared_ptr<const OpenedVolume> VolumeService::read_reserved(const Catalogue
   volume.description.id = job.id();
   auto opened = std::make_shared<const OpenedVolume>(
       derive_loaded_volume(std::move(volume), progress, job.stop()));
-  progress(LoadStage::upload, 1.0);
+  target_.upload(opened->loaded(), progress, job.stop());
   return opened;
 }
 
@@ -189,6 +210,7 @@ void VolumeService::withdraw(const std::shared_ptr<LoadJob>& job,
   waiter->dismiss();
   const std::lock_guard lock(mutex_);
   if (!job->leave(waiter)) return;
+  put_by_.remove(job);
   const auto mine = jobs_.find(job->id());
   if (mine != jobs_.end() && mine->second == job) jobs_.erase(mine);
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/config.h"
+#include "app/upload_target.h"
 #include "app/volume_cache.h"
 #include "app/volume_catalogue.h"
 #include "session/ends.h"
@@ -23,7 +24,7 @@ class ListingWatch;
 /// them goes.
 class VolumeService final : public VolumeLibrary {
  public:
-  explicit VolumeService(const VolumeSettings& settings);
+  VolumeService(const VolumeSettings& settings, UploadTarget target);
   /// After every ticket is gone. Waits for loads to stop.
   ~VolumeService() override;
   VolumeService(const VolumeService&) = delete;
@@ -40,25 +41,27 @@ class VolumeService final : public VolumeLibrary {
  private:
   friend class LoadTicket;
 
-  void announce_listing();
+  void listing_changed() noexcept;
   void begin(const std::shared_ptr<LoadJob>& job);
-  void load(LoadJob& job);
-  std::shared_ptr<const OpenedVolume> read(LoadJob& job);
+  void load(const std::shared_ptr<LoadJob>& job);
+  /// Where the volume lies; nothing where the job is put by until the listing has changed.
+  std::optional<CatalogueEntry> find(const std::shared_ptr<LoadJob>& job);
+  std::shared_ptr<const OpenedVolume> read(const CatalogueEntry& entry, LoadJob& job);
   /// The volume where it is loaded already; else room for it is set aside.
   std::shared_ptr<const OpenedVolume> reserve(const std::string& id, std::uint64_t bytes);
-  static std::shared_ptr<const OpenedVolume> read_reserved(const CatalogueEntry& entry,
-                                                           LoadJob& job);
+  std::shared_ptr<const OpenedVolume> read_reserved(const CatalogueEntry& entry, LoadJob& job);
   void finish(LoadJob& job, const OpenOutcome& outcome);
   void withdraw(const std::shared_ptr<LoadJob>& job, const std::shared_ptr<LoadWaiter>& waiter);
 
-  VolumeSettings settings_;
+  UploadTarget target_;
   std::mutex mutex_;  ///< of the cache, the reservation, the jobs and the watches
   VolumeCache cache_;
   std::uint64_t reserved_bytes_ = 0;  ///< for loads under way
   std::map<std::string, std::shared_ptr<LoadJob>> jobs_;
+  std::list<std::shared_ptr<LoadJob>> put_by_;  ///< of volumes that the scan has not found yet
   std::list<std::weak_ptr<ListingWatch>> watches_;
   boost::asio::thread_pool pool_;
-  VolumeCatalogue catalogue_;  ///< last: its thread calls announce_listing
+  VolumeCatalogue catalogue_;  ///< last: its thread calls listing_changed
 };
 
 }  // namespace cutaway

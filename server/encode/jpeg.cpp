@@ -33,12 +33,24 @@ void check_sizes(const YcbcrPlanes& picture) {
   check_equal(picture.planes[2].size(), columns * rows, "size of the Cr plane");
 }
 
+Error refused() {
+  return Error(
+      {.code = "internal", .message = std::string("JPEG: ") + tjGetErrorStr2(thread_compressor())});
+}
+
+std::vector<std::uint8_t> room_for(const YcbcrPlanes& picture, int sampling) {
+  constexpr auto kNoSuchSize = static_cast<unsigned long>(-1);
+  const unsigned long bytes = tjBufSize(picture.width_px, picture.height_px, sampling);
+  if (bytes == kNoSuchSize) throw refused();
+  return std::vector<std::uint8_t>(bytes);
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> encode_jpeg(const YcbcrPlanes& picture, int quality) {
   check_sizes(picture);
   const int sampling = picture.halved_chroma ? TJSAMP_420 : TJSAMP_444;
-  std::vector<std::uint8_t> jpeg(tjBufSize(picture.width_px, picture.height_px, sampling));
+  std::vector<std::uint8_t> jpeg = room_for(picture, sampling);
   std::array<const unsigned char*, 3> planes{picture.planes[0].data(), picture.planes[1].data(),
                                              picture.planes[2].data()};
   unsigned char* out = jpeg.data();
@@ -46,10 +58,7 @@ std::vector<std::uint8_t> encode_jpeg(const YcbcrPlanes& picture, int quality) {
   const int failed =
       tjCompressFromYUVPlanes(thread_compressor(), planes.data(), picture.width_px, nullptr,
                               picture.height_px, sampling, &out, &size, quality, TJFLAG_NOREALLOC);
-  if (failed != 0) {
-    throw Error({.code = "internal",
-                 .message = std::string("JPEG: ") + tjGetErrorStr2(thread_compressor())});
-  }
+  if (failed != 0) throw refused();
   jpeg.resize(size);
   return jpeg;
 }

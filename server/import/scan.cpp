@@ -160,7 +160,7 @@ Listing reading::scan_in_context(const fs::path& path, const fs::path& data_root
   context.root = fs::canonical(data_root, failed);
   if (failed) refuse(data_root, "there is no such folder");
   if (!contained_path(canonical, context.root)) {
-    refuse(path, "the path leads out of the data folder", context.root.string());
+    refuse(path, "the path leads out of the data folder");
   }
   return Walk(std::move(context)).run(canonical);
 }

@@ -3,6 +3,9 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/strand.hpp>
+#include <exception>
+#include <functional>
+#include <memory>
 
 #include "session/strand.h"
 
@@ -12,7 +15,10 @@ class AsioStrand final : public Strand {
  public:
   using Executor = boost::asio::strand<boost::asio::io_context::executor_type>;
 
-  explicit AsioStrand(Executor executor);
+  using Failed = std::function<void(const std::exception&)>;
+
+  /// `failed` hears, on the strand, of each exception that work or an alarm let out.
+  AsioStrand(Executor executor, Failed failed);
 
   TimePoint now() const override;
   void post(std::function<void()> work) override;
@@ -20,6 +26,7 @@ class AsioStrand final : public Strand {
 
  private:
   Executor executor_;
+  std::shared_ptr<const Failed> failed_;
 };
 
 }  // namespace cutaway

@@ -14,7 +14,7 @@ void replace(std::optional<OutQueue::Message>& place, std::optional<OutQueue::Me
 }  // namespace
 
 bool OutQueue::put_text(std::string text) {
-  if (waiting_text_bytes_ + text.size() > text_bytes_) return false;
+  if (!texts_.empty() && waiting_text_bytes_ + text.size() > text_bytes_) return false;
   waiting_text_bytes_ += text.size();
   texts_.push_back(std::move(text));
   return true;

@@ -23,7 +23,8 @@ class OutQueue {
 
   explicit OutQueue(std::size_t text_bytes) : text_bytes_(text_bytes) {}
 
-  /// False, and nothing taken, where the texts that wait would exceed the bound.
+  /// False, and nothing taken, where others wait already and the bound would be exceeded: one text
+  /// of any length is no sign of a client that does not read.
   [[nodiscard]] bool put_text(std::string text);
   /// Replaces a frame that waits; that one's `done` gets false.
   void put_frame(std::vector<std::uint8_t> message, Done done);

@@ -31,6 +31,14 @@ Error cannot_listen(const NetSettings& settings, const std::string& why) {
                 .expected = "a free port on an address of this machine"});
 }
 
+void log_failure(const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const std::exception& error) {
+    log().error("a connection failed: {}", error.what());
+  }
+}
+
 tcp::endpoint endpoint_of(const NetSettings& settings) {
   error_code error;
   const asio::ip::address address = asio::ip::make_address(settings.address, error);
@@ -51,6 +59,7 @@ class Server::Impl {
  private:
   void listen();
   asio::awaitable<void> accept_all();
+  void work() noexcept;
   void begin_connection(tcp::socket&& socket, const AsioStrand::Executor& strand);
   void end_all();
   void all_ended();
@@ -103,9 +112,21 @@ std::string Server::Impl::url() const {
 void Server::Impl::run() {
   std::vector<std::jthread> threads;
   for (int i = 1; i < context_.settings.io_threads; ++i) {
-    threads.emplace_back([this] { io_.run(); });
+    threads.emplace_back([this] { work(); });
   }
-  io_.run();
+  work();
+}
+
+// What a handler lets out ends that handler alone.
+void Server::Impl::work() noexcept {
+  while (true) {
+    try {
+      io_.run();
+      return;
+    } catch (const std::exception& failure) {
+      log().error("a handler of the network failed: {}", failure.what());
+    }
+  }
 }
 
 asio::awaitable<void> Server::Impl::accept_all() {
@@ -125,7 +146,7 @@ asio::awaitable<void> Server::Impl::accept_all() {
   }
 }
 
-void Server::Impl::begin_connection(tcp::socket&& socket, const AsioStrand::Executor& strand) {
+void Server::Impl::begin_connection(tcp::socket&& socket, const AsioStrand::Executor& strand) try {
   if (connections_.size() >= static_cast<std::size_t>(context_.settings.connections)) {
     log().warn("a connection was dropped: all {} are taken", context_.settings.connections);
     return;
@@ -134,10 +155,13 @@ void Server::Impl::begin_connection(tcp::socket&& socket, const AsioStrand::Exec
   const auto entry = connections_.add(connection);
   asio::co_spawn(
       strand, [connection] { return connection->run(); },
-      [this, entry](const std::exception_ptr&) {
+      [this, entry](const std::exception_ptr& failure) {
+        if (failure) log_failure(failure);
         connections_.remove(entry);
         asio::post(strand_, [this] { all_ended(); });
       });
+} catch (const std::exception& failure) {
+  log().error("a connection could not be begun: {}", failure.what());
 }
 
 void Server::Impl::stop() {

@@ -13,9 +13,10 @@ struct NetSettings {
   std::string address = "127.0.0.1";
   std::uint16_t port = 8080;  ///< 0 picks a free one
   int io_threads = 2;
-  int connections = 512;                                         ///< open at once, of every kind
-  int sessions = 64;                                             ///< WebSocket sessions at once
-  std::size_t message_bytes = std::size_t{64} * 1024;            ///< one text message from a client
+  int connections = 512;                                      ///< open at once, of every kind
+  int sessions = 64;                                          ///< WebSocket sessions at once
+  std::size_t message_bytes = std::size_t{64} * 1024;         ///< one text message from a client
+  std::size_t dropped_message_bytes = std::size_t{16} << 20;  ///< a longer one ends the connection
   std::size_t queued_text_bytes = std::size_t{4} * 1024 * 1024;  ///< waiting for a client to read
   int send_buffer_bytes = 0;  ///< the kernel's, of one connection; 0: as the kernel chooses
   std::chrono::milliseconds request_timeout{10'000};  ///< until a request has arrived whole

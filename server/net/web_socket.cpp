@@ -1,8 +1,8 @@
 #include "net/web_socket.h"
 
+#include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <utility>
 
@@ -21,6 +21,7 @@ using boost::system::error_code;
 
 namespace {
 
+constexpr std::size_t kReadBytes = std::size_t{16} * 1024;
 constexpr std::chrono::milliseconds kBreath{20};  // no reading for so long after too many messages
 
 asio::const_buffer buffer_of(const OutQueue::Message& message) {
@@ -38,7 +39,6 @@ bool is_ordinary_end(const error_code& error) {
 WebSocket::WebSocket(beast::tcp_stream&& stream, AsioStrand::Executor strand,
                      const NetSettings& settings)
     : stream_(std::move(stream)),
-      strand_(std::make_shared<AsioStrand>(strand)),
       executor_(strand),
       settings_(settings),
       queue_(settings.queued_text_bytes),
@@ -55,7 +55,7 @@ asio::awaitable<bool> WebSocket::accept(HttpRequest request) {
     set_security_headers(response);
     response.set(beast::http::field::sec_websocket_protocol, kSubprotocol);
   }));
-  stream_.read_message_max(settings_.message_bytes);
+  stream_.read_message_max(std::max(settings_.message_bytes, settings_.dropped_message_bytes));
   stream_.auto_fragment(false);
   error_code error;
   co_await stream_.async_accept(request, asio::redirect_error(asio::use_awaitable, error));
@@ -66,12 +66,32 @@ asio::awaitable<void> WebSocket::serve(HttpRequest request, SessionFactory make_
   const auto self = shared_from_this();
   const bool accepted = co_await accept(std::move(request));
   if (!accepted) co_return;
-  session_ = make_session(strand_, *this);
-  session_->start();
+  start_session(make_session);
   asio::co_spawn(
-      executor_, [self] { return self->write_all(); }, asio::detached);
-  co_await read_all();
+      executor_, [self] { return self->write_all(); },
+      [self](const std::exception_ptr& failure) {
+        if (failure) self->abort();
+      });
+  try {
+    co_await read_all();
+  } catch (const std::exception& failure) {
+    log().error("reading from a client failed: {}", failure.what());
+  }
   end();
+}
+
+void WebSocket::start_session(const SessionFactory& make_session) {
+  try {
+    session_ = make_session(
+        std::make_shared<AsioStrand>(executor_,
+                                     [weak = weak_from_this()](const std::exception& failure) {
+                                       if (const auto self = weak.lock()) self->fail(failure);
+                                     }),
+        *this);
+    session_->start();
+  } catch (const std::exception& failure) {
+    fail(failure);
+  }
 }
 
 asio::awaitable<void> WebSocket::turn_away(HttpRequest request, std::string reason) {
@@ -88,18 +108,47 @@ asio::awaitable<void> WebSocket::turn_away(HttpRequest request, std::string reas
 }
 
 asio::awaitable<void> WebSocket::read_all() {
-  error_code error;
-  while (true) {
-    co_await stream_.async_read(incoming_, asio::redirect_error(asio::use_awaitable, error));
-    if (error) break;
+  bool open = co_await read_message();
+  while (open) {
     const Session::Reception reception = deliver();
-    incoming_.consume(incoming_.size());
     if (reception == Session::Reception::too_fast) co_await take_breath();
+    open = co_await read_message();
   }
-  if (!is_ordinary_end(error)) log().info("a connection ended: {}", error.message());
+}
+
+// What exceeds the limit is dropped as it comes, so that one long message costs no memory and can
+// be answered. False where the connection has ended.
+asio::awaitable<bool> WebSocket::read_message() {
+  incoming_.clear();
+  incoming_bytes_ = 0;
+  do {
+    error_code error;
+    const std::size_t bytes = co_await stream_.async_read_some(
+        incoming_, kReadBytes, asio::redirect_error(asio::use_awaitable, error));
+    incoming_bytes_ += bytes;
+    if (error) {
+      if (!is_ordinary_end(error)) log().info("a connection ended: {}", error.message());
+      co_return false;
+    }
+    if (incoming_bytes_ > settings_.message_bytes) incoming_.clear();
+  } while (!stream_.is_message_done());
+  co_return true;
 }
 
 Session::Reception WebSocket::deliver() {
+  if (!session_) return Session::Reception::taken;  // it has failed; the closing handshake goes on
+  try {
+    return hand_to_session();
+  } catch (const std::exception& failure) {
+    fail(failure);
+    return Session::Reception::taken;
+  }
+}
+
+Session::Reception WebSocket::hand_to_session() {
+  if (incoming_bytes_ > settings_.message_bytes) {
+    return session_->receive_too_large(incoming_bytes_, settings_.message_bytes);
+  }
   if (!stream_.got_text()) return session_->receive_binary();
   const asio::const_buffer text = incoming_.cdata();
   return session_->receive_text({static_cast<const char*>(text.data()), text.size()});
@@ -186,6 +235,13 @@ void WebSocket::begin_close(const websocket::close_reason& reason) {
   if (closing_ || !stream_.is_open()) return;
   closing_ = true;
   stream_.async_close(reason, [self = shared_from_this()](const error_code&) {});
+}
+
+// The session may be in any state now: it goes, and the client hears why in the closing handshake.
+void WebSocket::fail(const std::exception& failure) {
+  log().error("a session failed and is closed: {}", failure.what());
+  session_.reset();
+  begin_close({websocket::close_code::internal_error, "the server failed at this session"});
 }
 
 void WebSocket::abort() {

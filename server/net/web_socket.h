@@ -22,7 +22,8 @@ using SessionFactory =
 
 /// Everything runs on the strand that the stream was accepted on. One read is always pending, one
 /// write at a time is; a write that the client does not take within its deadline, or texts that
-/// pile up, end the connection.
+/// pile up, end the connection. So does an exception of the session, with 1011: nobody else's is
+/// touched.
 class WebSocket final : public ClientSink, public std::enable_shared_from_this<WebSocket> {
  public:
   WebSocket(boost::beast::tcp_stream&& stream, AsioStrand::Executor strand,
@@ -46,23 +47,27 @@ class WebSocket final : public ClientSink, public std::enable_shared_from_this<W
   using Stream = boost::beast::websocket::stream<boost::beast::tcp_stream, false>;
 
   boost::asio::awaitable<bool> accept(HttpRequest request);
+  void start_session(const SessionFactory& make_session);
   boost::asio::awaitable<void> read_all();
+  boost::asio::awaitable<bool> read_message();
   boost::asio::awaitable<void> write_all();
   boost::asio::awaitable<bool> write(const OutQueue::Message& message);
   boost::asio::awaitable<void> wait_for_messages();
   boost::asio::awaitable<void> take_breath();
   Session::Reception deliver();
+  Session::Reception hand_to_session();
   void begin_close(const boost::beast::websocket::close_reason& reason);
   void start_write_deadline();
   void stop_write_deadline();
+  void fail(const std::exception& failure);
   void end();
 
   Stream stream_;
-  std::shared_ptr<AsioStrand> strand_;
   AsioStrand::Executor executor_;
   NetSettings settings_;
   OutQueue queue_;
   boost::beast::flat_buffer incoming_;
+  std::size_t incoming_bytes_ = 0;  ///< of the message, those dropped included
   boost::asio::steady_timer something_to_write_;
   boost::asio::steady_timer write_deadline_;
   boost::asio::steady_timer breather_;

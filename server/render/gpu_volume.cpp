@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "render/texture_limit.h"
 
 namespace cutaway {
 
@@ -26,34 +27,45 @@ VoxelFormat voxel_format(const Voxels& voxels) {
   return {GL_R32F, GL_FLOAT, 4, reinterpret_cast<const std::uint8_t*>(floats.data())};
 }
 
-void refuse_too_large(const Volume& volume, int max_texture_size) {
-  const glm::ivec3 size = volume.geometry.size_voxels;
-  const int largest = std::max({size.x, size.y, size.z});
-  if (largest <= max_texture_size) return;
-  throw Error({.code = "volume-refused",
-               .message = "the volume is too large for the renderer",
-               .field = volume.description.id,
-               .expected = "at most " + std::to_string(max_texture_size) + " voxels an edge",
-               .received = std::to_string(largest)});
+// A device says so once, at the call that it could not serve.
+void check_device_memory() {
+  if (glGetError() != GL_OUT_OF_MEMORY) return;
+  throw Error({.code = "too-large",
+               .message = "the renderer has not enough memory for this volume",
+               .field = "/volume"});
 }
 
 }  // namespace
 
-GpuVolume::GpuVolume(std::shared_ptr<const LoadedVolume> loaded, int max_texture_size,
-                     const ProgressSink& progress)
+GpuVolume::GpuVolume(std::shared_ptr<const LoadedVolume> loaded, int max_texture_size)
     : loaded_(std::move(loaded)) {
-  refuse_too_large(volume(), max_texture_size);
   const glm::ivec3 size = volume().geometry.size_voxels;
+  check_texture_limit(size, max_texture_size);
   const VoxelFormat format = voxel_format(volume().voxels);
   if (format.type == GL_UNSIGNED_SHORT) stored_scale_ = 1.0 / 65535.0;
+  glGetError();  // what went wrong before is not this volume's
   texture_ = gl::Texture3D(format.internal_format, size, gl::Filtering::linear);
+  check_device_memory();
+}
+
+void GpuVolume::upload_slab() {
+  const glm::ivec3 size = volume().geometry.size_voxels;
+  const VoxelFormat format = voxel_format(volume().voxels);
   const std::size_t slice_bytes = format.bytes * static_cast<std::size_t>(size.x) * size.y;
   const int slab = std::max(1, static_cast<int>(kSlabBytes / slice_bytes));
-  for (int first = 0; first < size.z; first += slab) {
-    const int count = std::min(slab, size.z - first);
-    texture_.upload_slices(first, count, GL_RED, format.type, format.data + slice_bytes * first);
-    if (progress) progress(LoadStage::upload, static_cast<double>(first + count) / size.z);
-  }
+  const int count = std::min(slab, size.z - uploaded_slices_);
+  texture_.upload_slices(uploaded_slices_, count, GL_RED, format.type,
+                         format.data + slice_bytes * uploaded_slices_);
+  check_device_memory();
+  uploaded_slices_ += count;
+}
+
+void GpuVolume::upload_rest() {
+  while (!is_complete()) upload_slab();
+}
+
+double GpuVolume::uploaded() const {
+  return static_cast<double>(uploaded_slices_) / volume().geometry.size_voxels.z;
 }
 
 float GpuVolume::to_stored(double physical_value) const {

@@ -13,10 +13,17 @@ namespace cutaway {
 /// Render thread only. Holds the loaded volume alive.
 class GpuVolume {
  public:
-  /// Uploads slab by slab. Throws Error "volume-refused" when the device cannot hold so large a
-  /// texture.
-  GpuVolume(std::shared_ptr<const LoadedVolume> loaded, int max_texture_size,
-            const ProgressSink& progress);
+  /// Makes room on the device. Throws Error "volume-refused" or "too-large" when it cannot hold so
+  /// large a texture.
+  GpuVolume(std::shared_ptr<const LoadedVolume> loaded, int max_texture_size);
+
+  /// Uploads the next few megabytes. Throws Error "too-large" when the device's memory is at its
+  /// end.
+  void upload_slab();
+  void upload_rest();
+  double uploaded() const;  ///< fraction, 0..1
+  /// Until then nothing can be drawn from it.
+  bool is_complete() const { return uploaded_slices_ == volume().geometry.size_voxels.z; }
 
   const Volume& volume() const { return loaded_->volume; }
   const LoadedVolume* identity() const { return loaded_.get(); }
@@ -42,6 +49,7 @@ class GpuVolume {
 
   std::shared_ptr<const LoadedVolume> loaded_;
   gl::Texture3D texture_;
+  int uploaded_slices_ = 0;
   double stored_scale_ = 1.0;             ///< texture units per stored number
   std::list<DistanceMap> distance_maps_;  ///< most recently used first
 };

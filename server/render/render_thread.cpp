@@ -1,6 +1,7 @@
 #include "render/render_thread.h"
 
 #include <future>
+#include <utility>
 
 #include "render/render_worker.h"
 
@@ -27,7 +28,8 @@ RenderThread::RenderThread(const gl::ContextOptions& options) {
       ready.set_exception(std::current_exception());
       return;
     }
-    ready.set_value({context->renderer(), context->version(), context->is_software()});
+    ready.set_value({context->renderer(), context->version(), context->is_software(),
+                     context->max_3d_texture_size()});
     serve(*worker, stop);
   });
   info_ = info.get();
@@ -41,13 +43,14 @@ RenderThread::~RenderThread() {
 
 void RenderThread::serve(RenderWorker& worker, const std::stop_token& stop) {
   while (!stop.stop_requested()) {
-    for (const std::uint64_t view : take_released()) worker.release(view);
-    std::optional<RenderJob> job =
-        worker.has_pending() ? queue_.take() : queue_.wait_and_take(stop);
-    const bool idle = !job;
+    take_inbox(worker);
+    const bool busy = worker.has_pending() || worker.has_uploads();
+    std::optional<RenderJob> job = busy ? queue_.take() : queue_.wait_and_take(stop);
+    const bool idle = !job && !worker.has_uploads();
     if (job) worker.begin(std::move(*job));
+    worker.upload_some();
     if (worker.is_lost()) lost_ = true;
-    // With nothing else to draw there is time to wait for the pixels.
+    // With nothing else to do there is time to wait for the pixels.
     worker.finish(idle);
   }
   while (worker.has_pending()) worker.finish(true);
@@ -59,18 +62,39 @@ bool RenderThread::renew(const RenderRequest& request) {
   return queue_.alter(request.view, [&](RenderJob& waiting) { waiting.request = request; });
 }
 
+void RenderThread::upload(std::shared_ptr<const LoadedVolume> volume, ProgressSink progress,
+                          std::stop_token stop) {
+  UploadJob job{std::move(volume), std::move(progress), std::move(stop), {}};
+  std::future<void> done = job.done.get_future();
+  {
+    const std::lock_guard lock(inbox_mutex_);
+    inbox_.uploads.push_back(std::move(job));
+  }
+  queue_.wake();
+  try {
+    done.get();
+  } catch (const std::future_error&) {
+    throw Cancelled();  // the thread has ended and the job went with it
+  }
+}
+
 void RenderThread::release(std::uint64_t view) {
   {
-    const std::lock_guard lock(released_mutex_);
-    released_.push_back(view);
+    const std::lock_guard lock(inbox_mutex_);
+    inbox_.released.push_back(view);
   }
   replace(queue_.withdraw(view));
   queue_.wake();
 }
 
-std::vector<std::uint64_t> RenderThread::take_released() {
-  const std::lock_guard lock(released_mutex_);
-  return std::exchange(released_, {});
+void RenderThread::take_inbox(RenderWorker& worker) {
+  Inbox inbox;
+  {
+    const std::lock_guard lock(inbox_mutex_);
+    inbox = std::exchange(inbox_, {});
+  }
+  for (const std::uint64_t view : inbox.released) worker.release(view);
+  for (UploadJob& job : inbox.uploads) worker.add(std::move(job));
 }
 
 }  // namespace cutaway

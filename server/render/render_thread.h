@@ -8,11 +8,14 @@
 #include <string>
 #include <thread>
 #include <variant>
+#include <vector>
 
 #include "core/error.h"
+#include "core/progress.h"
 #include "gl/context.h"
 #include "render/job_queue.h"
 #include "render/render_settings.h"
+#include "render/upload_job.h"
 #include "scene/scene.h"
 #include "volume/loaded_volume.h"
 
@@ -51,9 +54,10 @@ struct RendererInfo {
   std::string renderer;
   std::string version;
   bool is_software = false;
+  int largest_edge_voxels = 0;  ///< of a volume
 };
 
-/// Thread-safe. Destroying it ends waiting jobs as replaced.
+/// Thread-safe. Destroying it ends waiting jobs as replaced and uploads as cancelled.
 class RenderThread {
  public:
   /// Returns when the context works; throws what creating it threw.
@@ -73,17 +77,30 @@ class RenderThread {
   /// waits.
   bool renew(const RenderRequest& request);
 
+  /// Puts a volume on the device, some slabs at a time between frames, and returns when it is
+  /// there; there it stays for as long as anyone holds it. A frame that shows it before then waits
+  /// for the whole of it. `progress` is called on the render thread. Throws Error, or Cancelled
+  /// when stopped.
+  void upload(std::shared_ptr<const LoadedVolume> volume, ProgressSink progress,
+              std::stop_token stop);
+
   /// Forgets the view's buffers; a job that waits ends as replaced.
   void release(std::uint64_t view);
 
  private:
   void serve(RenderWorker& worker, const std::stop_token& stop);
-  std::vector<std::uint64_t> take_released();
+  void take_inbox(RenderWorker& worker);
+
+  /// What is not drawn; taken between frames.
+  struct Inbox {
+    std::vector<std::uint64_t> released;
+    std::vector<UploadJob> uploads;
+  };
 
   RendererInfo info_;
   JobQueue<RenderJob> queue_;
-  std::mutex released_mutex_;
-  std::vector<std::uint64_t> released_;
+  std::mutex inbox_mutex_;
+  Inbox inbox_;
   std::atomic<bool> lost_ = false;
   std::jthread thread_;
 };

@@ -8,42 +8,61 @@ namespace {
 
 /// Frames whose pixels are on their way while the next are drawn.
 constexpr std::size_t kReadbacksInFlight = 3;
+/// Of an upload between two frames.
+constexpr std::chrono::milliseconds kUploadTurn{10};
 
 Pixels pixels_of(const RenderSettings& settings, gl::PixelReadback& readback) {
   return {settings.layout, settings.picture_size_px, readback.finish()};
+}
+
+/// What the one who asked is told of an exception; the log has the rest.
+Error told(const std::exception& failure, std::uint64_t view) {
+  if (const auto* error = dynamic_cast<const Error*>(&failure)) return *error;
+  log().error("view {} could not be drawn: {}", view, failure.what());
+  return Error({.code = "render-failed", .message = "the picture could not be drawn"});
+}
+
+/// What the receiver throws is its own failure and ends nobody else's frames.
+void hand_over(const RenderJob& job, RenderOutcome outcome) {
+  try {
+    job.done(std::move(outcome));
+  } catch (const std::exception& failure) {
+    log().error("a frame of view {} was not taken: {}", job.view(), failure.what());
+  }
 }
 
 }  // namespace
 
 void RenderWorker::begin(RenderJob job) {
   drop_unused_volumes();
-  gl::PixelReadback readback;
-  if (!idle_readbacks_.empty()) {
-    readback = std::move(idle_readbacks_.back());
-    idle_readbacks_.pop_back();
-  }
-  Pending pending{std::move(job), std::move(readback), Clock::now()};
+  Pending pending{std::move(job), {}, Clock::now()};
   try {
     draw(pending);
-  } catch (const Error& error) {
-    pending.job.done(error);
-    return;
+    pending_.push_back(std::move(pending));
   } catch (const std::exception& failure) {
-    log().error("view {} could not be drawn: {}", pending.job.view(), failure.what());
-    pending.job.done(Error({.code = "render-failed", .message = "the picture could not be drawn"}));
-    return;
+    return hand_over(pending.job, told(failure, pending.job.view()));
   }
-  pending_.push_back(std::move(pending));
   if (pending_.size() >= kReadbacksInFlight) finish(true);
 }
 
 void RenderWorker::draw(Pending& pending) {
   const RenderRequest& request = pending.job.request;
-  lost_ = lost_ || context_.is_lost();  // the device tells of it once
-  if (lost_) throw Error({.code = "render-failed", .message = "the graphics device was lost"});
+  check_device();
+  if (!idle_readbacks_.empty()) {
+    pending.readback = std::move(idle_readbacks_.back());
+    idle_readbacks_.pop_back();
+  }
   ViewState& view = views_[request.view];
-  pipeline_.render(view, *request.scene, volume_for(request.volume), request.settings);
+  GpuVolume& volume = volume_for(request.volume);
+  volume.upload_rest();
+  pipeline_.render(view, *request.scene, volume, request.settings);
   FramePipeline::start_readback(view, request.settings.layout, pending.readback);
+}
+
+// The device tells of its loss once.
+void RenderWorker::check_device() {
+  lost_ = lost_ || context_.is_lost();
+  if (lost_) throw Error({.code = "render-failed", .message = "the graphics device was lost"});
 }
 
 void RenderWorker::finish(bool wait) {
@@ -52,25 +71,55 @@ void RenderWorker::finish(bool wait) {
     Pending pending = std::move(pending_.front());
     pending_.pop_front();
     deliver(pending);
-    idle_readbacks_.push_back(std::move(pending.readback));
   }
 }
 
 void RenderWorker::deliver(Pending& pending) {
   const RenderRequest& request = pending.job.request;
-  RenderedFrame frame{.pixels = pixels_of(request.settings, pending.readback),
-                      .label = request.label};
-  const auto spent =
-      std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - pending.begun);
-  frame.render_us = static_cast<std::uint32_t>(spent.count());
-  pending.job.done(std::move(frame));
+  try {
+    RenderedFrame frame{.pixels = pixels_of(request.settings, pending.readback),
+                        .label = request.label};
+    const auto spent =
+        std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - pending.begun);
+    frame.render_us = static_cast<std::uint32_t>(spent.count());
+    idle_readbacks_.push_back(std::move(pending.readback));
+    hand_over(pending.job, std::move(frame));
+  } catch (const std::exception& failure) {
+    hand_over(pending.job, told(failure, request.view));
+  }
+}
+
+void RenderWorker::upload_some() {
+  if (uploads_.empty()) return;
+  UploadJob& job = uploads_.front();
+  try {
+    if (!advance(job)) return;
+    job.done.set_value();
+  } catch (...) {
+    volumes_.erase(job.volume);
+    job.done.set_exception(std::current_exception());
+  }
+  uploads_.pop_front();
+}
+
+/// True once the whole volume is on the device.
+bool RenderWorker::advance(const UploadJob& job) {
+  check_device();
+  drop_unused_volumes();
+  GpuVolume& volume = volume_for(job.volume);
+  const auto until = Clock::now() + kUploadTurn;
+  while (!volume.is_complete() && Clock::now() < until) {
+    throw_if_cancelled(job.stop);
+    volume.upload_slab();
+    if (job.progress) job.progress(LoadStage::upload, volume.uploaded());
+  }
+  return volume.is_complete();
 }
 
 GpuVolume& RenderWorker::volume_for(const std::shared_ptr<const LoadedVolume>& loaded) {
   const auto known = volumes_.find(loaded);
   if (known != volumes_.end()) return known->second;
-  return volumes_.emplace(loaded, GpuVolume(loaded, context_.max_3d_texture_size(), {}))
-      .first->second;
+  return volumes_.emplace(loaded, GpuVolume(loaded, context_.max_3d_texture_size())).first->second;
 }
 
 void RenderWorker::drop_unused_volumes() {

@@ -17,6 +17,12 @@ class RenderWorker {
   /// Draws and starts the read-back. A failure ends this job alone.
   void begin(RenderJob job);
 
+  /// Puts a volume behind those that are on their way to the device.
+  void add(UploadJob job) { uploads_.push_back(std::move(job)); }
+  bool has_uploads() const { return !uploads_.empty(); }
+  /// Goes on with the oldest of them for a few milliseconds. A failure ends this upload alone.
+  void upload_some();
+
   bool has_pending() const { return !pending_.empty(); }
   /// Hands over every frame whose pixels have arrived; waits for the oldest where `wait` says so.
   void finish(bool wait);
@@ -36,15 +42,18 @@ class RenderWorker {
 
   GpuVolume& volume_for(const std::shared_ptr<const LoadedVolume>& loaded);
   void drop_unused_volumes();
+  void check_device();
+  bool advance(const UploadJob& job);
   void draw(Pending& pending);
-  static void deliver(Pending& pending);
+  void deliver(Pending& pending);
 
   const gl::Context& context_;
   bool lost_ = false;
   FramePipeline pipeline_;
   std::map<std::uint64_t, ViewState> views_;
   std::map<std::shared_ptr<const LoadedVolume>, GpuVolume> volumes_;
-  std::deque<Pending> pending_;  ///< oldest first
+  std::deque<Pending> pending_;    ///< oldest first
+  std::deque<UploadJob> uploads_;  ///< oldest first
   std::vector<gl::PixelReadback> idle_readbacks_;
 };
 

@@ -5,7 +5,6 @@
 #include "core/log.h"
 #include "scene/json_text.h"
 #include "scene/styles.h"
-#include "session/pick.h"
 
 namespace cutaway {
 
@@ -16,20 +15,6 @@ constexpr double kRefusalsPerSecond =
 constexpr std::size_t kSmallMessageBytes =
     256;  // an acknowledgement is smaller; it passes any rate limit
 constexpr Milliseconds kBetweenScenes{50.0};  // `scene` messages to the client
-
-Error no_volume() {
-  return Error({.code = "no-volume",
-                .message = "no scene is shown yet",
-                .expected = "an open volume and a viewport first"});
-}
-
-Error too_wide(const char* field, int most, int received) {
-  return Error({.code = "out-of-range",
-                .message = "the picture is too large",
-                .field = field,
-                .expected = fmt::format("1 to {} px", most),
-                .received = std::to_string(received)});
-}
 
 }  // namespace
 
@@ -72,6 +57,16 @@ Session::Reception Session::receive_binary() {
   return Reception::taken;
 }
 
+Session::Reception Session::receive_too_large(std::size_t bytes, std::size_t most) {
+  if (!message_rate_.take(ends_.strand->now())) return refuse_too_fast();
+  refuse(Error({.code = "too-large",
+                .message = "the message is too large; it was not heeded",
+                .expected = fmt::format("at most {} bytes", most),
+                .received = fmt::format("{} bytes", bytes)}),
+         {});
+  return Reception::taken;
+}
+
 // Past the rate only acknowledgements are heeded: refusing one would leave its credit out for ever.
 Session::Reception Session::receive_text(std::string_view text) {
   const bool too_fast = !message_rate_.take(ends_.strand->now());
@@ -101,118 +96,6 @@ Session::Reception Session::refuse_too_fast() {
   return Reception::too_fast;
 }
 
-void Session::handle(const SceneMessage& message) {
-  const auto wanted = volume_of(message.scene);
-  const bool wants_shown = wanted && state_.volume() && *wanted == state_.volume()->facts().id;
-  if (wanted && !wants_shown && wanted != opening_.volume()) {
-    const Json base =
-        state_.volume() ? without_volume_dependent(state_.document()) : state_.document();
-    return open_volume(*wanted, changed_document(base, message.scene, message.replace),
-                       message.stamp);
-  }
-  if (wanted && !wants_shown) {
-    pending_->document = changed_document(pending_->document, message.scene, message.replace);
-    pending_->stamp = message.stamp;
-    return;
-  }
-  change_shown(message);
-  if (wants_shown) stop_opening();
-}
-
-// What changes while another volume is on its way holds for that one too.
-void Session::change_shown(const SceneMessage& message) {
-  std::optional<Json> awaited;
-  if (pending_) {
-    awaited = changed_document(pending_->document, message.scene, message.replace);
-  }
-  const Json shown = changed_document(state_.document(), message.scene, message.replace);
-  took_effect(state_.set_document(shown), message.stamp);
-  if (awaited) pending_->document = std::move(*awaited);
-}
-
-void Session::handle(const ViewportMessage& message) {
-  check_size(message.width_px, message.height_px);
-  took_effect(state_.set_viewport({message.width_px, message.height_px}), message.stamp);
-}
-
-void Session::handle(const DragLensMessage& message) {
-  const glm::dvec3 centre =
-      dragged_lens_centre(shown_scene(), *state_.volume(), message.position_px);
-  const Json patch = {{"lens", {{"centre_mm", {centre.x, centre.y, centre.z}}}}};
-  const Json document = changed_document(state_.document(), patch, false);
-  took_effect(state_.set_document(document), message.stamp);
-  tell_scene_soon();
-}
-
-void Session::handle(const PickMessage& message) {
-  const auto hit = pick(shown_scene(), *state_.volume(), message.position_px);
-  std::optional<PickedPoint> point;
-  if (hit) {
-    point =
-        PickedPoint{.position_mm = hit->position_mm,
-                    .value = state_.volume()->value_at(hit->position_mm).value_or(hit->limit_value),
-                    .units = state_.volume()->units(),
-                    .branch = hit->branch};
-  }
-  tell(picked_message(message.request, point));
-}
-
-void Session::handle(const CancelLoadMessage&) { stop_opening(); }
-
-void Session::handle(const AckMessage& message) { flow_.acknowledge(message.frame); }
-
-void Session::handle(const SaveStillMessage& message) {
-  check_size(message.width_px, message.height_px);
-  shown_scene();
-  stills_.save({message.request, {message.width_px, message.height_px}}, snapshot(),
-               still_quality(settings_));
-}
-
-void Session::handle(const PreviewMessage& message) {
-  style(message.style);  // refused now where there is none
-  previews_.want(message);
-}
-
-void Session::open_volume(const std::string& id, Json document, InputStamp stamp) {
-  stop_opening();
-  pending_ = Pending{.volume = id, .document = std::move(document), .stamp = stamp};
-  opening_.begin(id);
-}
-
-void Session::stop_opening() {
-  if (!pending_) return;
-  const Pending given_up = *std::exchange(pending_, std::nullopt);
-  opening_.withdraw();
-  tell(loading_message(given_up.volume, LoadEnd::cancelled));
-}
-
-void Session::opened(OpenOutcome outcome) {
-  const Pending pending = *std::exchange(pending_, std::nullopt);
-  if (auto* volume = std::get_if<std::shared_ptr<const OpenVolume>>(&outcome)) {
-    try {
-      show_opened(std::move(*volume), pending);
-    } catch (const Error& error) {
-      opening_failed(error, pending);
-    }
-  } else if (const auto* error = std::get_if<Error>(&outcome)) {
-    opening_failed(*error, pending);
-  } else {
-    tell(loading_message(pending.volume, LoadEnd::cancelled));
-  }
-}
-
-void Session::opening_failed(const Error& error, const Pending& pending) {
-  refuse(error, {.input = pending.stamp.input, .request = {}});
-  tell(loading_message(pending.volume, LoadEnd::failed));
-}
-
-void Session::show_opened(std::shared_ptr<const OpenVolume> volume, const Pending& pending) {
-  const SceneState::Change change = state_.set_volume(std::move(volume), pending.document);
-  tell(loading_message(pending.volume, LoadEnd::ready));
-  took_effect({.picture = change.picture, .chosen = false}, pending.stamp);
-  if (change.picture) tell_scene();  // whether or not anything was chosen
-}
-
 void Session::took_effect(SceneState::Change change, InputStamp stamp) {
   stamp_ = stamp;
   if (change.chosen) tell_scene_soon();
@@ -221,25 +104,6 @@ void Session::took_effect(SceneState::Change change, InputStamp stamp) {
   } else {
     flow_.restamp(stamp);
   }
-}
-
-const Scene& Session::shown_scene() const {
-  if (!state_.scene()) throw no_volume();
-  return *state_.scene();
-}
-
-void Session::check_size(int width_px, int height_px) const {
-  const int most = settings_.viewport_side_px;
-  if (width_px > most) throw too_wide("/width_px", most, width_px);
-  if (height_px > most) throw too_wide("/height_px", most, height_px);
-  const std::int64_t pixels = std::int64_t{width_px} * height_px;
-  if (pixels <= settings_.viewport_pixels) return;
-  throw Error(
-      {.code = "out-of-range",
-       .message = "the picture has too many pixels",
-       .field = "/width_px",
-       .expected = fmt::format("width_px times height_px at most {}", settings_.viewport_pixels),
-       .received = fmt::format("{} x {} = {}", width_px, height_px, pixels)});
 }
 
 // Drags change the scene at the rate of the pointer; the client needs to hear of it at that of the

@@ -44,6 +44,8 @@ class Session {
   void start();
   Reception receive_text(std::string_view text);
   Reception receive_binary();
+  /// A message of `bytes`, which is more than the `most` that are read.
+  Reception receive_too_large(std::size_t bytes, std::size_t most);
 
  private:
   /// A volume that is on its way, with the scene that is to be shown with it.

@@ -68,7 +68,9 @@ RenderSettings interactive_settings(Viewport size) {
 }  // namespace
 
 FrameTiming::FrameTiming(std::shared_ptr<const LoadedVolume> volume, int max_texture_size)
-    : loaded_(std::move(volume)), volume_(loaded_, max_texture_size, {}) {}
+    : loaded_(std::move(volume)), volume_(loaded_, max_texture_size) {
+  volume_.upload_rest();
+}
 
 FrameTime FrameTiming::measure(const FrameCase& frame_case, Viewport size,
                                const FrameBudget& budget) {

@@ -53,15 +53,20 @@ class WebSocket:
 
     def send(self, opcode, payload):
         mask = os.urandom(4)
-        length = len(payload)
-        if length < 126:
-            head = struct.pack("!BB", 0x80 | opcode, 0x80 | length)
-        elif length < 65536:
-            head = struct.pack("!BBH", 0x80 | opcode, 0x80 | 126, length)
-        else:
-            head = struct.pack("!BBQ", 0x80 | opcode, 0x80 | 127, length)
         masked = bytes(byte ^ mask[i % 4] for i, byte in enumerate(payload))
-        self.socket.sendall(head + mask + masked)
+        self.socket.sendall(self.head(opcode, len(payload)) + mask + masked)
+
+    def announce(self, opcode, length):
+        """Sends the head of a message and nothing of its payload."""
+        self.socket.sendall(self.head(opcode, length) + os.urandom(4))
+
+    @staticmethod
+    def head(opcode, length):
+        if length < 126:
+            return struct.pack("!BB", 0x80 | opcode, 0x80 | length)
+        if length < 65536:
+            return struct.pack("!BBH", 0x80 | opcode, 0x80 | 126, length)
+        return struct.pack("!BBQ", 0x80 | opcode, 0x80 | 127, length)
 
     def receive(self, timeout_s=GENEROUS_S):
         """The next message as (opcode, payload); None when none comes in time."""

@@ -24,7 +24,8 @@ Converted convert(PixelLayout layout, Viewport size) {
   Converted result{gpu.render(scene, volume, settings_for(scene)), {}};
   RenderSettings settings = settings_for(scene);
   settings.layout = layout;
-  GpuVolume gpu_volume(volume, 2048, {});
+  GpuVolume gpu_volume(volume, 2048);
+  gpu_volume.upload_rest();
   gpu.pipeline().render(gpu.view(), scene, gpu_volume, settings);
   gl::PixelReadback readback;
   FramePipeline::start_readback(gpu.view(), layout, readback);

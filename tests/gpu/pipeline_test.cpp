@@ -9,8 +9,9 @@ namespace {
 
 class Stages : public testing::Test {
  protected:
-  Stages() : volume_(load(shells_volume(centred_geometry(64)))), gpu_volume_(volume_, 2048, {}) {
+  Stages() : volume_(load(shells_volume(centred_geometry(64)))), gpu_volume_(volume_, 2048) {
     GpuHarness::instance();
+    gpu_volume_.upload_rest();
     document_ = {
         {"camera", {{"eye_mm", {0, -250, 30}}, {"target_mm", {0, 0, 0}}, {"up", {0, 0, 1}}}},
         {"lens", {{"centre_mm", {0, -40, 0}}, {"radius_mm", 20}}}};

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <future>
+#include <new>
+#include <thread>
 
 #include "support/analytic_volumes.h"
 #include "support/gpu_harness.h"
@@ -29,6 +32,14 @@ class RenderThreads : public testing::Test {
     thread_.submit({std::move(wanted),
                     [promise](RenderOutcome outcome) { promise->set_value(std::move(outcome)); }});
     return promise->get_future();
+  }
+
+  /// 64 MiB, which is eight slabs; empty.
+  std::shared_ptr<const LoadedVolume> many_slabs() const {
+    auto large = std::make_shared<LoadedVolume>(*volume_);
+    large->volume.geometry.size_voxels = {256, 256, 512};
+    large->volume.voxels = std::vector<std::uint16_t>(std::size_t{256} * 256 * 512);
+    return large;
   }
 
   std::shared_ptr<const LoadedVolume> volume_;
@@ -80,6 +91,92 @@ TEST_F(RenderThreads, LetsGoOfAVolumeThatNobodyWants) {
   volume_ = load(shells_volume(centred_geometry(32)));
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
   EXPECT_TRUE(first.expired());
+}
+
+TEST_F(RenderThreads, AReceiverThatFailsLeavesTheOthersAlone) {
+  thread_.submit({request(1), [](RenderOutcome) { throw std::bad_alloc(); }});
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(2)).get()));
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
+}
+
+TEST_F(RenderThreads, UploadsWithProgressAndThenDrawsWithoutWaiting) {
+  std::vector<double> fractions;
+  volume_ = many_slabs();
+  thread_.upload(volume_, [&](LoadStage, double fraction) { fractions.push_back(fraction); }, {});
+  EXPECT_GT(fractions.size(), 1);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.back(), 1.0);
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
+  const std::size_t reports = fractions.size();
+  thread_.upload(volume_, [&](LoadStage, double fraction) { fractions.push_back(fraction); }, {});
+  EXPECT_EQ(fractions.size(), reports);  // it was there already
+}
+
+TEST_F(RenderThreads, FramesOfOthersGoOnDuringAnUpload) {
+  const auto large = many_slabs();
+  std::vector<std::future<RenderOutcome>> frames;
+  std::vector<double> at_frame;  // how far the upload is when a frame is handed over
+  double uploaded = 0.0;         // both on the render thread only
+  const auto another_frame = [&] {
+    auto promise = std::make_shared<std::promise<RenderOutcome>>();
+    frames.push_back(promise->get_future());
+    thread_.submit({request(1), [&, promise](RenderOutcome outcome) {
+                      at_frame.push_back(uploaded);
+                      promise->set_value(std::move(outcome));
+                    }});
+  };
+  thread_.upload(
+      large,
+      [&](LoadStage, double fraction) {
+        if (frames.empty()) another_frame();
+        uploaded = fraction;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));  // a slow device: a turn a slab
+      },
+      {});
+  ASSERT_EQ(frames.size(), 1);
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(frames[0].get()));
+  EXPECT_LT(at_frame.at(0), 1.0);
+}
+
+TEST_F(RenderThreads, AnUploadIsCancelledBetweenTwoSlabs) {
+  const auto large = many_slabs();
+  std::stop_source stop;
+  int slabs = 0;
+  EXPECT_THROW(thread_.upload(
+                   large,
+                   [&](LoadStage, double) {
+                     ++slabs;
+                     stop.request_stop();
+                   },
+                   stop.get_token()),
+               Cancelled);
+  EXPECT_EQ(slabs, 1);
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
+}
+
+TEST_F(RenderThreads, RefusesAVolumeWithAnEdgeTooLongAndGoesOn) {
+  auto long_one = std::make_shared<LoadedVolume>(*volume_);
+  long_one->volume.geometry.size_voxels = {thread_.info().largest_edge_voxels + 1, 4, 4};
+  try {
+    thread_.upload(long_one, {}, {});
+    ADD_FAILURE() << "it was taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.detail().code, "volume-refused");
+    EXPECT_EQ(error.detail().field, "/volume");
+  }
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
+}
+
+TEST_F(RenderThreads, RefusesAVolumeThatTheDeviceHasNoMemoryForAndGoesOn) {
+  auto vast = std::make_shared<LoadedVolume>(*volume_);  // its voxels are never looked at
+  vast->volume.geometry.size_voxels = glm::ivec3(thread_.info().largest_edge_voxels);
+  try {
+    thread_.upload(vast, {}, {});
+    ADD_FAILURE() << "it was taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.detail().code, "too-large");
+  }
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ GpuHarness& GpuHarness::instance() {
 BytePicture GpuHarness::render(const Scene& scene,
                                const std::shared_ptr<const LoadedVolume>& volume,
                                const RenderSettings& settings) {
-  GpuVolume gpu_volume(volume, context_->max_3d_texture_size(), {});
+  GpuVolume gpu_volume(volume, context_->max_3d_texture_size());
+  gpu_volume.upload_rest();
   pipeline_.render(view_, scene, gpu_volume, settings);
   gl::PixelReadback readback;
   FramePipeline::start_readback(view_, PixelLayout::rgba, readback);

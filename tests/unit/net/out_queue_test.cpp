@@ -45,6 +45,14 @@ TEST(OutQueue, RefusesTextsBeyondItsBound) {
   EXPECT_TRUE(queue.put_text("12345"));
 }
 
+TEST(OutQueue, TakesOneTextOfAnyLength) {
+  OutQueue queue(10);
+  EXPECT_TRUE(queue.put_text("a list of many volumes"));
+  EXPECT_FALSE(queue.put_text("x"));
+  EXPECT_EQ(text_of(queue.take()), "a list of many volumes");
+  EXPECT_TRUE(queue.put_text("x"));
+}
+
 TEST(OutQueue, TellsAllThatWaitsWhenItIsAbandoned) {
   OutQueue queue(100);
   int lost = 0;

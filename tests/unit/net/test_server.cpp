@@ -1,5 +1,6 @@
 #include "unit/net/test_server.h"
 
+#include <new>
 #include <utility>
 
 namespace cutaway::testing {
@@ -16,6 +17,14 @@ class ThreadTicket final : public OpenTicket {
 
  private:
   std::jthread thread_;
+};
+
+class BrokenVolume final : public OpenVolume {
+ public:
+  const VolumeFacts& facts() const override { throw std::bad_alloc(); }
+  const std::string& units() const override { throw std::bad_alloc(); }
+  const Json& summary() const override { throw std::bad_alloc(); }
+  std::optional<double> value_at(glm::dvec3) const override { return std::nullopt; }
 };
 
 std::uint16_t port_of(const std::string& url) {
@@ -113,6 +122,7 @@ std::unique_ptr<OpenTicket> ThreadedLibrary::open(const std::string& id, Progres
                                                   std::function<void(OpenOutcome)> done) {
   return std::make_unique<ThreadTicket>(std::jthread([id, progress, done] {
     progress(LoadStage::read, 0.5);
+    if (id == "broken") return done(std::make_shared<const BrokenVolume>());
     done(std::make_shared<const BallVolume>(id));
   }));
 }
@@ -139,6 +149,7 @@ Server::Hooks TestServer::hooks(const SessionSettings& session) {
   return {.sources = {.volumes = [this] { return library.listing(); },
                       .trouble = [this] { return in_trouble ? "no GPU" : ""; }},
           .make_session = [this, session](std::shared_ptr<Strand> strand, ClientSink& client) {
+            if (refuse_sessions) throw std::bad_alloc();
             const std::uint64_t view = next_view_.fetch_add(2);
             return std::make_unique<Session>(
                 SessionEnds{.strand = std::move(strand),

@@ -52,7 +52,8 @@ class ThreadedFrames final : public FrameSource {
   std::jthread thread_;
 };
 
-/// Opens any volume at once as a ball, from a thread of its own.
+/// Opens any volume at once as a ball, from a thread of its own; "broken" as one that lets a
+/// session run out of memory.
 class ThreadedLibrary final : public VolumeLibrary {
  public:
   Json listing() const override;
@@ -86,6 +87,7 @@ class TestServer {
   ThreadedFrames frames;
   ThreadedLibrary library;
   std::atomic<bool> in_trouble{false};
+  std::atomic<bool> refuse_sessions{false};
 
  private:
   std::uint16_t port_;

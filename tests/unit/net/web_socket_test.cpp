@@ -94,14 +94,75 @@ TEST(WebSocket, MalformedJsonAndBinaryAreAnsweredAndTheSessionGoesOn) {
   EXPECT_TRUE(client.read_frame().has_value());
 }
 
-TEST(WebSocket, AMessageOver64KiBClosesWith1009) {
+TEST(WebSocket, AMessageOver64KiBIsAnsweredAndTheSessionGoesOn) {
   TestServer server;
-  SocketClient largest(server.port());
-  largest.send_text(std::string(64 * 1024, ' '));
-  EXPECT_EQ(largest.read_until("error")["code"], "malformed-json");
-  SocketClient larger(server.port());
-  larger.send_text(std::string((64 * 1024) + 1, ' '));
-  EXPECT_EQ(larger.read_close_code(), 1009);
+  SocketClient client(server.port());
+  client.send_text(std::string(64 * 1024, ' '));
+  EXPECT_EQ(client.read_until("error")["code"], "malformed-json");
+  for (const std::size_t bytes : {std::size_t{65'537}, std::size_t{3'000'000}}) {
+    client.send_text(std::string(bytes, ' '));
+    const Json error = client.read_until("error");
+    EXPECT_EQ(error["code"], "too-large");
+    EXPECT_EQ(error["expected"], "at most 65536 bytes");
+    EXPECT_EQ(error["received"], std::to_string(bytes) + " bytes");
+  }
+  client.send_binary(std::string(100'000, '\1'));
+  EXPECT_EQ(client.read_until("error")["code"], "too-large");
+  client.show_ball();
+  EXPECT_TRUE(client.read_frame().has_value());
+}
+
+TEST(WebSocket, AMessageInManySmallPartsIsMeasuredAsOne) {
+  NetSettings settings = testing::test_settings();
+  settings.message_bytes = 1024;
+  TestServer server(settings);
+  RawClient client(server.port());
+  client.upgrade();
+  const std::string mask(4, '\0');
+  for (int i = 0; i < 20; ++i) {
+    const char opcode = i == 0 ? '\x01' : '\0';  // not final
+    client.send(std::string{opcode, '\xE4'} + mask + std::string(100, ' '));
+  }
+  client.send(std::string{'\x80', '\x80'} + mask);  // the last part, empty
+  std::string received;
+  while (received.find("2000 bytes") == std::string::npos) {
+    const std::string more = client.read_some();
+    ASSERT_FALSE(more.empty()) << received;
+    received += more;
+  }
+  EXPECT_NE(received.find("too-large"), std::string::npos);
+}
+
+TEST(WebSocket, AMessageFarOverTheLimitClosesWith1009) {
+  NetSettings settings = testing::test_settings();
+  settings.dropped_message_bytes = 200'000;
+  TestServer server(settings);
+  SocketClient client(server.port());
+  client.send_text(std::string(200'001, ' '));
+  EXPECT_EQ(client.read_close_code(), 1009);
+}
+
+TEST(WebSocket, ASessionThatFailsIsClosedWith1011AndDisturbsNobody) {
+  TestServer server;
+  SocketClient failing(server.port());
+  SocketClient other(server.port());
+  other.show_ball();
+  failing.send(
+      {{"type", "scene"}, {"input", 1}, {"clock_ms", 0}, {"scene", {{"volume", "broken"}}}});
+  EXPECT_EQ(failing.read_close_code(), 1011);
+  EXPECT_TRUE(server.frames.wait_for_release(TestServer::view_of_session(0)));
+  for (int i = 0; i < 5; ++i) expect_undisturbed(other, i + 10.0);
+}
+
+TEST(WebSocket, ASessionThatCannotBeginIsClosedWith1011) {
+  TestServer server;
+  server.refuse_sessions = true;
+  SocketClient client(server.port());
+  EXPECT_EQ(client.read_close_code(), 1011);
+  server.refuse_sessions = false;
+  SocketClient other(server.port());
+  other.show_ball();
+  EXPECT_TRUE(other.read_frame().has_value());
 }
 
 TEST(WebSocket, TextThatIsNotUtf8ClosesWith1007) {

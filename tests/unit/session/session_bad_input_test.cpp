@@ -236,5 +236,15 @@ TEST_F(SessionRateTest, TheRateRecovers) {
   EXPECT_TRUE(client.of_type("error").empty());
 }
 
+TEST_F(SessionBadInputTest, AMessageThatIsTooLargeIsRefusedWithItsLimit) {
+  show_ball();
+  session->receive_too_large(70'000, 65'536);
+  expect_error("too-large");
+  EXPECT_EQ(client.last("error")["expected"], "at most 65536 bytes");
+  EXPECT_EQ(client.last("error")["received"], "70000 bytes");
+  scene({{"lens", {{"radius_mm", 10.0}}}});
+  EXPECT_EQ(rendered().lens.radius_mm, 10.0);
+}
+
 }  // namespace
 }  // namespace cutaway

@@ -1,0 +1,121 @@
+// What each message of a client does to its session.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "scene/styles.h"
+#include "session/pick.h"
+#include "session/session.h"
+
+namespace cutaway {
+
+namespace {
+
+Error no_volume() {
+  return Error({.code = "no-volume",
+                .message = "no scene is shown yet",
+                .expected = "an open volume and a viewport first"});
+}
+
+Error too_wide(const char* field, int most, int received) {
+  return Error({.code = "out-of-range",
+                .message = "the picture is too large",
+                .field = field,
+                .expected = fmt::format("1 to {} px", most),
+                .received = std::to_string(received)});
+}
+
+}  // namespace
+
+void Session::handle(const SceneMessage& message) {
+  const auto wanted = volume_of(message.scene);
+  const bool wants_shown = wanted && state_.volume() && *wanted == state_.volume()->facts().id;
+  if (wanted && !wants_shown && wanted != opening_.volume()) {
+    const Json base =
+        state_.volume() ? without_volume_dependent(state_.document()) : state_.document();
+    return open_volume(*wanted, changed_document(base, message.scene, message.replace),
+                       message.stamp);
+  }
+  if (wanted && !wants_shown) {
+    pending_->document = changed_document(pending_->document, message.scene, message.replace);
+    pending_->stamp = message.stamp;
+    return;
+  }
+  change_shown(message);
+  if (wants_shown) stop_opening();
+}
+
+// What changes while another volume is on its way holds for that one too.
+void Session::change_shown(const SceneMessage& message) {
+  std::optional<Json> awaited;
+  if (pending_) {
+    awaited = changed_document(pending_->document, message.scene, message.replace);
+  }
+  const Json shown = changed_document(state_.document(), message.scene, message.replace);
+  took_effect(state_.set_document(shown), message.stamp);
+  if (awaited) pending_->document = std::move(*awaited);
+}
+
+void Session::handle(const ViewportMessage& message) {
+  check_size(message.width_px, message.height_px);
+  took_effect(state_.set_viewport({message.width_px, message.height_px}), message.stamp);
+}
+
+void Session::handle(const DragLensMessage& message) {
+  const glm::dvec3 centre =
+      dragged_lens_centre(shown_scene(), *state_.volume(), message.position_px);
+  const Json patch = {{"lens", {{"centre_mm", {centre.x, centre.y, centre.z}}}}};
+  const Json document = changed_document(state_.document(), patch, false);
+  took_effect(state_.set_document(document), message.stamp);
+  tell_scene_soon();
+}
+
+void Session::handle(const PickMessage& message) {
+  const auto hit = pick(shown_scene(), *state_.volume(), message.position_px);
+  std::optional<PickedPoint> point;
+  if (hit) {
+    point =
+        PickedPoint{.position_mm = hit->position_mm,
+                    .value = state_.volume()->value_at(hit->position_mm).value_or(hit->limit_value),
+                    .units = state_.volume()->units(),
+                    .branch = hit->branch};
+  }
+  tell(picked_message(message.request, point));
+}
+
+void Session::handle(const CancelLoadMessage&) { stop_opening(); }
+
+void Session::handle(const AckMessage& message) { flow_.acknowledge(message.frame); }
+
+void Session::handle(const SaveStillMessage& message) {
+  check_size(message.width_px, message.height_px);
+  shown_scene();
+  stills_.save({message.request, {message.width_px, message.height_px}}, snapshot(),
+               still_quality(settings_));
+}
+
+void Session::handle(const PreviewMessage& message) {
+  style(message.style);  // refused now where there is none
+  previews_.want(message);
+}
+
+const Scene& Session::shown_scene() const {
+  if (!state_.scene()) throw no_volume();
+  return *state_.scene();
+}
+
+void Session::check_size(int width_px, int height_px) const {
+  const int most = settings_.viewport_side_px;
+  if (width_px > most) throw too_wide("/width_px", most, width_px);
+  if (height_px > most) throw too_wide("/height_px", most, height_px);
+  const std::int64_t pixels = std::int64_t{width_px} * height_px;
+  if (pixels <= settings_.viewport_pixels) return;
+  throw Error(
+      {.code = "out-of-range",
+       .message = "the picture has too many pixels",
+       .field = "/width_px",
+       .expected = fmt::format("width_px times height_px at most {}", settings_.viewport_pixels),
+       .received = fmt::format("{} x {} = {}", width_px, height_px, pixels)});
+}
+
+}  // namespace cutaway

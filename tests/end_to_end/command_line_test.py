@@ -1,0 +1,179 @@
+"""Runs the executable as a person or a script does: arguments, exit status, what is printed where.
+
+Usage: command_line_test.py CUTAWAY_BINARY [unittest arguments]
+"""
+
+import json
+import os
+import pathlib
+import socket
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from wire import png_size
+
+BINARY = None
+OK, FAILED, WRONG_USAGE = 0, 1, 2
+SMALL = "phantom:head@32"
+
+
+def run(*arguments):
+    done = subprocess.run([BINARY, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+    return done.returncode, done.stdout, done.stderr
+
+
+class CommandLineTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def file(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def scene(self, **fields):
+        return self.file("scene.json", json.dumps({"volume": SMALL, **fields}))
+
+    def assert_one_plain_line(self, errors, *words):
+        self.assertEqual(len(errors.splitlines()), 1, errors)
+        self.assertTrue(errors.startswith("cutaway"), errors)
+        for word in words:
+            self.assertIn(str(word), errors)
+
+    def assert_fails(self, arguments, *words):
+        status, output, errors = run(*arguments)
+        self.assertEqual((status, output), (FAILED, ""), (arguments, errors))
+        self.assert_one_plain_line(errors, *words)
+
+    def assert_wrong_usage(self, arguments, *words):
+        status, output, errors = run(*arguments)
+        self.assertEqual((status, output), (WRONG_USAGE, ""), (arguments, errors))
+        for word in words:
+            self.assertIn(word, errors)
+
+
+class UsageTest(CommandLineTest):
+    def test_help_is_everywhere_and_no_failure(self):
+        for arguments, words in (
+            ([], ("serve", "info", "render")),
+            (["serve"], ("--data", "--listen", "--config", "--require-gpu")),
+            (["info"], ("path", "--json")),
+            (["render"], ("scene", "--output", "--volume", "--size")),
+        ):
+            status, output, errors = run(*arguments, "--help")
+            self.assertEqual((status, errors), (OK, ""), arguments)
+            for word in words:
+                self.assertIn(word, output)
+        self.assertNotIn("read-volume-worker", run("--help")[1])
+
+    def test_the_version_is_said(self):
+        status, output, _ = run("--version")
+        self.assertEqual(status, OK)
+        self.assertRegex(output, r"^cutaway \d+\.\d+\.\d+\n$")
+
+    def test_what_is_not_understood_is_named(self):
+        self.assert_wrong_usage([], "subcommand")
+        self.assert_wrong_usage(["bogus"], "bogus")
+        self.assert_wrong_usage(["serve", "bogus"], "bogus")
+        self.assert_wrong_usage(["serve", "--no-such-option"], "--no-such-option")
+        self.assert_wrong_usage(["info"], "path")
+        self.assert_wrong_usage(["info", "a", "b"], "b")
+        self.assert_wrong_usage(["render"], "scene")
+        self.assert_wrong_usage(["render", "scene.json"], "--output")
+
+    def test_malformed_arguments_are_wrong_usage(self):
+        for address in ("foo", "127.0.0.1", "127.0.0.1:", ":80", "127.0.0.1:99999", "127.0.0.1:http"):
+            self.assert_wrong_usage(["serve", "--listen", address], "--listen", address)
+        for size in ("abc", "0x0", "640", "640x", "-1x5", "100000x100000", "640x480x3"):
+            self.assert_wrong_usage(["render", "s.json", "-o", "x.png", "--size", size], "--size", size)
+        self.assert_wrong_usage(["render", "s.json", "-o", "x.png", "--supersampling", "9"], "--supersampling")
+
+
+class ServeTest(CommandLineTest):
+    def test_an_address_that_cannot_be_had_is_said_in_one_line(self):
+        self.assert_fails(["serve", "--listen", "300.1.1.1:80"], "300.1.1.1:80", "address")
+        self.assert_fails(["serve", "--listen", "192.0.2.1:8080"], "192.0.2.1:8080")
+        with socket.create_server(("127.0.0.1", 0)) as taken:
+            address = f"127.0.0.1:{taken.getsockname()[1]}"
+            self.assert_fails(["serve", "--listen", address], address)
+
+    def test_data_or_configuration_that_is_not_there_is_said_in_one_line(self):
+        self.assert_fails(["serve", "--data", "/nowhere/at/all"], "/nowhere/at/all")
+        self.assert_fails(["serve", "--config", "/nowhere/cutaway.toml"], "/nowhere/cutaway.toml")
+        config = self.file("cutaway.toml", "[server]\nlisten = 'foo'\n")
+        self.assert_fails(["serve", "--config", config], f"{config}:2", "foo")
+
+
+class InfoTest(CommandLineTest):
+    def test_a_phantom_in_words_and_as_json(self):
+        status, output, errors = run("info", SMALL)
+        self.assertEqual((status, errors), (OK, ""))
+        self.assertIn("32 x 32 x 32 voxels", output)
+        status, output, errors = run("info", SMALL, "--json")
+        self.assertEqual((status, errors), (OK, ""))
+        (volume,) = json.loads(output)["volumes"]
+        self.assertEqual((volume["id"], volume["size"], volume["units"]), (SMALL, [32, 32, 32], "HU"))
+
+    def test_what_holds_no_volume_fails_in_one_line(self):
+        self.assert_fails(["info", "/nowhere/at/all"], "/nowhere/at/all")
+        self.assert_fails(["info", "phantom:unicorn"], "phantom:unicorn")
+        status, _, errors = run("info", self.file("notes.txt", "no volume"))
+        self.assertEqual(status, FAILED)
+        self.assert_one_plain_line(errors, "notes.txt")
+
+
+class RenderTest(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        self.picture = self.folder / "picture.png"
+
+    def test_writes_a_png_of_the_size_that_was_asked_for(self):
+        status, output, errors = run("render", self.scene(), "-o", self.picture, "--size", "97x61")
+        self.assertEqual((status, output, errors), (OK, "", ""))
+        self.assertEqual(png_size(self.picture.read_bytes()), (97, 61))
+
+    def test_the_documents_viewport_and_the_volume_of_the_command_line(self):
+        scene = self.scene(volume="phantom:abdomen", viewport={"width_px": 50, "height_px": 40})
+        status, _, errors = run("render", scene, "-o", self.picture, "--volume", "phantom:knees@32")
+        self.assertEqual((status, errors), (OK, ""))
+        self.assertEqual(png_size(self.picture.read_bytes()), (50, 40))
+
+    def test_a_style_is_a_scene_too(self):
+        style = self.file("style.json", json.dumps({"name": "plain", "title": "Plain", "scene": {}}))
+        status, _, errors = run("render", style, "-o", self.picture, "--volume", SMALL, "--size", "20x20")
+        self.assertEqual((status, errors), (OK, ""))
+
+    def test_a_scene_that_cannot_be_read_is_said_in_one_line(self):
+        deep = self.file("deep.json", "[" * 500_000)
+        for scene, word in (
+            (deep, "deeply"),
+            (self.file("broken.json", '{"volume": '), "JSON"),
+            (self.folder, "cannot be read"),
+            (self.folder / "none.json", "cannot be read"),
+        ):
+            self.assert_fails(["render", scene, "-o", self.picture], scene, word)
+        wrong = self.scene(lens={"radius_mm": "large"})
+        self.assert_fails(["render", wrong, "-o", self.picture], f"{wrong}#/lens/radius_mm")
+        self.assertFalse(self.picture.exists())
+
+    def test_a_picture_that_cannot_be_written_is_said_before_anything_is_rendered(self):
+        # A volume that would be refused later: what is said first is the picture.
+        scene = self.scene(volume="/nowhere/at/all")
+        self.assert_fails(["render", scene, "-o", "/nope/x.png"], "/nope/x.png")
+        self.assert_fails(["render", scene, "-o", self.folder], self.folder)
+        self.assert_fails(["render", scene, "-o", self.picture], "/nowhere/at/all")
+
+    @unittest.skipIf(os.path.exists("/dev/dri") or os.path.exists("/dev/nvidia0"), "a GPU may be here")
+    def test_a_gpu_that_is_not_there_is_said_in_one_line(self):
+        arguments = ["render", self.scene(), "-o", self.picture, "--size", "20x20", "--require-gpu"]
+        self.assert_fails(arguments, "GPU")
+        self.assert_fails(["serve", "--listen", "127.0.0.1:0", "--require-gpu"], "GPU")
+
+
+if __name__ == "__main__":
+    BINARY = sys.argv.pop(1)
+    unittest.main(verbosity=2)

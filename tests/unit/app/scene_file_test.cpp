@@ -1,0 +1,89 @@
+// Scene files as anyone may hand them to `cutaway render`.
+#include "app/scene_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.h"
+
+namespace cutaway {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+class SceneFiles : public ::testing::Test {
+ protected:
+  SceneFiles() { fs::create_directories(folder_); }
+  ~SceneFiles() override { fs::remove_all(folder_); }
+
+  fs::path write(const std::string& text) const {
+    const fs::path file = folder_ / "scene.json";
+    std::ofstream(file, std::ios::binary) << text;
+    return file;
+  }
+
+  static Error::Detail refusal(const fs::path& file) {
+    try {
+      read_scene_file(file);
+    } catch (const Error& error) {
+      return error.detail();
+    }
+    ADD_FAILURE() << file << " was taken";
+    return {};
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("cutaway-scene-" + std::to_string(getpid()));
+};
+
+TEST_F(SceneFiles, AreTakenAsSceneOrAsStyle) {
+  EXPECT_EQ(read_scene_file(write(R"({"volume": "phantom:head"})"))["volume"], "phantom:head");
+  const fs::path style = write(R"({"name": "x", "scene": {"lens": {"radius_mm": 20}}})");
+  EXPECT_EQ(read_scene_file(style)["lens"]["radius_mm"], 20);
+}
+
+TEST_F(SceneFiles, NestedTooDeeplyAreRefusedHoweverDeep) {
+  for (const std::size_t depth : {33, 1000, 500'000}) {
+    const fs::path file = write(std::string(depth, '['));
+    EXPECT_EQ(refusal(file).code, "malformed-json") << depth;
+    EXPECT_EQ(refusal(file).field, file.string());
+  }
+}
+
+TEST_F(SceneFiles, ThatAreNoJsonSayWhere) {
+  for (const char* text : {"", "nonsense", "{\"volume\": ", "\xff\xfe"}) {
+    const Error::Detail detail = refusal(write(text));
+    EXPECT_EQ(detail.code, "malformed-json") << text;
+    EXPECT_THAT(detail.field, EndsWith("scene.json"));
+    EXPECT_THAT(detail.message, HasSubstr("byte"));
+  }
+}
+
+TEST_F(SceneFiles, WithAWrongFieldNameFileAndField) {
+  const fs::path scene = write(R"({"lens": {"radius_mm": "large"}})");
+  EXPECT_EQ(refusal(scene).code, "wrong-type");
+  EXPECT_EQ(refusal(scene).field, scene.string() + "#/lens/radius_mm");
+  const fs::path style = write(R"({"name": "x", "scene": {"lens": {"radius_mm": "large"}}})");
+  EXPECT_EQ(refusal(style).field, style.string() + "#/scene/lens/radius_mm");
+  EXPECT_EQ(refusal(write(R"({"lens": {"radius_mm": 1e999}})")).code, "not-finite");
+}
+
+TEST_F(SceneFiles, OfEndlessLengthAreRefused) {
+  EXPECT_EQ(refusal(write(std::string(2'000'000, ' '))).code, "too-large");
+  EXPECT_EQ(refusal("/dev/zero").code, "too-large");
+}
+
+TEST_F(SceneFiles, FoldersAndPathsToNowhereAreRefused) {
+  for (const fs::path& path : {folder_, folder_ / "none", fs::path()}) {
+    EXPECT_EQ(refusal(path).code, "invalid-scene") << path;
+    EXPECT_EQ(refusal(path).field, path.string());
+  }
+}
+
+}  // namespace
+}  // namespace cutaway

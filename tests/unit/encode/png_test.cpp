@@ -1,0 +1,61 @@
+// PNG: what libpng reads back is what went in.
+#include "encode/png.h"
+
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include "core/error.h"
+
+namespace cutaway {
+namespace {
+
+std::vector<std::uint8_t> pattern(int width_px, int height_px) {
+  std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width_px) * height_px * 4);
+  for (std::size_t i = 0; i < rgba.size(); ++i) rgba[i] = static_cast<std::uint8_t>(i * 31 % 256);
+  return rgba;
+}
+
+/// RGBA; opaque where the file has no alpha.
+std::vector<std::uint8_t> decode(const std::vector<std::uint8_t>& png, int width_px,
+                                 int height_px) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  EXPECT_NE(png_image_begin_read_from_memory(&image, png.data(), png.size()), 0) << image.message;
+  EXPECT_EQ(image.width, static_cast<png_uint_32>(width_px));
+  EXPECT_EQ(image.height, static_cast<png_uint_32>(height_px));
+  EXPECT_EQ(image.format & PNG_FORMAT_FLAG_ALPHA, 0U);
+  image.format = PNG_FORMAT_RGBA;
+  std::vector<std::uint8_t> rgba(PNG_IMAGE_SIZE(image));
+  EXPECT_NE(png_image_finish_read(&image, nullptr, rgba.data(), 0, nullptr), 0) << image.message;
+  return rgba;
+}
+
+TEST(Png, KeepsEveryColourAndDropsAlpha) {
+  for (const auto& [width, height] : {std::pair{64, 48}, {63, 47}, {1, 1}, {3, 100}}) {
+    std::vector<std::uint8_t> expected = pattern(width, height);
+    const std::vector<std::uint8_t> png = encode_png(expected, width, height);
+    for (std::size_t i = 3; i < expected.size(); i += 4) expected[i] = 255;
+    EXPECT_EQ(decode(png, width, height), expected) << width << "x" << height;
+  }
+}
+
+TEST(Png, TheSamePictureGivesTheSameBytes) {
+  const auto rgba = pattern(40, 30);
+  EXPECT_EQ(encode_png(rgba, 40, 30), encode_png(rgba, 40, 30));
+}
+
+TEST(Png, RefusesAnEmptyPicture) {
+  try {
+    encode_png({}, 0, 0);
+    ADD_FAILURE() << "an empty picture was taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.detail().code, "internal");
+  }
+}
+
+TEST(PngDeathTest, APictureOfAnotherSizeIsOurOwnFault) {
+  EXPECT_DEATH(encode_png(pattern(4, 4), 4, 5), "size of the picture");
+}
+
+}  // namespace
+}  // namespace cutaway
