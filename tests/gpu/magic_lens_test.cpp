@@ -147,7 +147,7 @@ TEST(MagicLens, BehindTheEyeOrOfNoSizeDoesNothing) {
 TEST(MagicLens, ItsSlidersCastNoRay) {
   const auto volume = shells();
   GpuHarness& gpu = GpuHarness::instance();
-  GpuVolume gpu_volume(volume, 2048, {});
+  GpuVolume gpu_volume(volume, 2048);
   ViewState view;
   const auto draw = [&](const Json& document) {
     const Scene scene = scene_for(document, volume, {kSide, kSide});
