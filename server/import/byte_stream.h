@@ -1,4 +1,4 @@
-// A file's bytes from front to back, inflated where they are compressed.
+// A file's bytes from front to back, decompressed where they are compressed.
 #pragma once
 
 #include <cstddef>
@@ -9,21 +9,18 @@
 #include <span>
 #include <vector>
 
-namespace cutaway::reading {
+#include "import/decompressor.h"
 
-/// No deflate stream expands further (RFC 1951: at best 258 bytes for two bits).
-inline constexpr double kLargestDeflateRatio = 1032.0;
+namespace cutaway::reading {
 
 /// The magic of gzip (RFC 1952).
 bool has_gzip_magic(const std::filesystem::path& file);
 
-/// zlib and gzip streams alike, gzip also of several members. Throws Error naming the file where it
-/// cannot be read or the stream is broken. One thread at a time.
+/// Also where several compressed streams follow each other. Throws Error naming the file where it
+/// cannot be read or a stream is broken. One thread at a time.
 class ByteStream {
  public:
-  ByteStream(std::filesystem::path file, std::uint64_t begin, bool compressed);
-  ~ByteStream();
-  ByteStream(ByteStream&&) noexcept;
+  ByteStream(std::filesystem::path file, std::uint64_t begin, Compression compression);
 
   /// Fills as much of `bytes` as there is; returns how many.
   std::size_t read(std::span<std::byte> bytes);
@@ -35,15 +32,18 @@ class ByteStream {
   double fraction_consumed() const;
 
  private:
-  struct Inflater;
   std::size_t read_file(std::span<std::byte> bytes);
-  std::size_t inflate_some(std::span<std::byte> bytes);
+  bool refill_input();
+  std::size_t decompress_some(std::span<std::byte> bytes);
 
   std::filesystem::path path_;
   std::ifstream file_;
   std::uint64_t file_bytes_ = 0;
   std::uint64_t consumed_ = 0;
-  std::unique_ptr<Inflater> inflater_;
+  std::unique_ptr<Decompressor> decompressor_;  ///< none where the file's bytes are the data
+  std::vector<std::byte> input_buffer_;
+  std::span<const std::byte> input_;  ///< of the buffer, what is still to be decompressed
+  bool between_streams_ = false;
 };
 
 }  // namespace cutaway::reading

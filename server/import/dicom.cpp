@@ -26,8 +26,34 @@ bool is_uniform(const DicomGroup& group) {
   });
 }
 
+bool declares_padding(const DicomGroup& group) {
+  return std::any_of(group.frames.begin(), group.frames.end(),
+                     [](const DicomFrame& frame) { return frame.padding.has_value(); });
+}
+
 Component voxel_type(const DicomGroup& group) {
   return is_uniform(group) ? group.frames.front().component : Component::float32;
+}
+
+/// All frames of a file are decoded together, also where the volume is made of a few of them.
+std::uint64_t decode_bytes(const DicomGroup& group) {
+  std::uint64_t bytes = 0;
+  for (const auto& frame : group.frames) {
+    const auto frame_bytes =
+        std::uint64_t(frame.size_px.x) * frame.size_px.y * component_bytes(frame.component);
+    bytes = std::max(bytes, frame_bytes * static_cast<std::uint64_t>(frame.frames_in_file));
+  }
+  return bytes;
+}
+
+void require_decodable(const DicomGroup& group, const ImportLimits& limits) {
+  const std::uint64_t bytes = decode_bytes(group);
+  if (bytes <= limits.volume_bytes) return;
+  throw Error({.code = "too-large",
+               .message = "the frames of one file are too large together",
+               .field = group.frames.front().file.string(),
+               .expected = "at most " + bytes_in_words(static_cast<double>(limits.volume_bytes)),
+               .received = bytes_in_words(static_cast<double>(bytes))});
 }
 
 GridPlan plan_group(const DicomGroup& group, const ImportLimits& limits) {
@@ -38,6 +64,7 @@ GridPlan plan_group(const DicomGroup& group, const ImportLimits& limits) {
       file,
       std::array{std::int64_t(size.x), std::int64_t(size.y), std::int64_t(group.frames.size())},
       bytes, limits);
+  require_decodable(group, limits);
   return plan_grid(file, stack_of(group), bytes, limits);
 }
 
@@ -130,22 +157,29 @@ std::map<fs::path, std::vector<std::size_t>> frames_by_file(const DicomGroup& gr
   return by_file;
 }
 
-RawVoxels decode(const DicomGroup& group, const ReadContext& context) {
+struct Decoded {
+  RawVoxels voxels;
+  PaddingMask padding;
+};
+
+Decoded decode(const DicomGroup& group, const ReadContext& context) {
   const glm::ivec2 size = group.frames.front().size_px;
   const std::size_t slice_voxels = std::size_t(size.x) * size.y;
-  RawVoxels voxels = make_raw_voxels(voxel_type(group), slice_voxels * group.frames.size());
+  Decoded decoded{make_raw_voxels(voxel_type(group), slice_voxels * group.frames.size()), {}};
+  if (declares_padding(group)) decoded.padding.resize(count_of(decoded.voxels));
   std::size_t done = 0;
   for (const auto& [file, slices] : frames_by_file(group)) {
     throw_if_cancelled(context.stop);
     const std::size_t frames_in_file =
         static_cast<std::size_t>(group.frames[slices.front()].frames_in_file);
     const DicomPixels pixels(group.frames[slices.front()], frames_in_file);
-    for (const std::size_t k : slices) pixels.store(group.frames[k], voxels, k * slice_voxels);
+    for (const std::size_t k : slices)
+      pixels.store(group.frames[k], k * slice_voxels, decoded.voxels, decoded.padding);
     done += slices.size();
-    const auto decoded = static_cast<double>(done) / static_cast<double>(group.frames.size());
-    if (context.progress) context.progress(LoadStage::decode, decoded);
+    const auto fraction = static_cast<double>(done) / static_cast<double>(group.frames.size());
+    if (context.progress) context.progress(LoadStage::decode, fraction);
   }
-  return voxels;
+  return decoded;
 }
 
 }  // namespace
@@ -153,14 +187,15 @@ RawVoxels decode(const DicomGroup& group, const ReadContext& context) {
 Listing find_dicom(std::span<const fs::path> files, const ScanContext& context) {
   Listing listing;
   std::vector<DicomFrame> frames = read_headers(files, context, listing.refused);
+  if (context.on_grouping) context.on_grouping();
   DicomGrouping grouping = group_frames(std::move(frames));
   std::vector<Found> found;
   for (const auto& group : grouping.groups) {
     try {
       const GridPlan plan = plan_group(group, context.limits);
-      found.push_back(
-          {{describe(group, plan, context.root), plan.geometry, files_of(group), group.part},
-           group.frames.front().series_uid});
+      found.push_back({{describe(group, plan, context.root), plan.geometry, files_of(group),
+                        group.part, decode_bytes(group)},
+                       group.frames.front().series_uid});
     } catch (const Error& error) {
       listing.refused.push_back({place_of(files_of(group)), reason_of(error)});
     }
@@ -177,12 +212,19 @@ RawVolume read_dicom(const VolumeSource& source, const ReadContext& context) {
   RawVolume raw;
   raw.description = source.description;
   raw.geometry = plan.geometry;
-  raw.voxels = decode(group, context);
-  if (plan.needs_resampling) raw.voxels = resample(raw.voxels, stack_of(group), plan, context.stop);
   if (is_uniform(group)) {
     raw.slope = group.frames.front().slope;
     raw.intercept = group.frames.front().intercept;
   }
+  Decoded decoded = decode(group, context);
+  raw.voxels = std::move(decoded.voxels);
+  const std::size_t padded =
+      replace_padding(source.files.front(), decoded.padding, raw.slope, raw.voxels);
+  if (padded > 0) {
+    raw.description.warnings.push_back(fmt::format(
+        "{} pixels are padding outside of the image; each was set to the smallest value", padded));
+  }
+  if (plan.needs_resampling) raw.voxels = resample(raw.voxels, stack_of(group), plan, context.stop);
   return raw;
 }
 

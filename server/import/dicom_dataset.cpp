@@ -42,11 +42,8 @@ std::vector<double> decimals_at(const gdcm::DataSet& data, std::uint16_t group,
   std::vector<double> numbers;
   while (!text.empty()) {
     const std::size_t end = text.find('\\');
-    std::string_view word = trimmed(std::string_view(text).substr(0, end));
-    if (word.starts_with('+')) word.remove_prefix(1);
-    const auto parsed = numbers_of(word);
-    numbers.push_back(parsed.size() == 1 ? parsed.front()
-                                         : std::numeric_limits<double>::quiet_NaN());
+    const auto number = real_of(trimmed(std::string_view(text).substr(0, end)));
+    numbers.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
     text = end == std::string::npos ? std::string() : text.substr(end + 1);
   }
   return numbers;

@@ -77,6 +77,7 @@ DicomFrame common_frame(const fs::path& file, const gdcm::DataSet& data) {
   frame.is_localizer = text_at(data, 0x0008, 0x0008).find("LOCALIZER") != std::string::npos;
   frame.low_is_bright = text_at(data, 0x0028, 0x0004) == "MONOCHROME1";
   frame.component = component_of(file, data);
+  frame.padding = pixel_padding(data);
   frame.size_px = {static_cast<int>(binary_at(data, 0x0028, 0x0011).value_or(0)),
                    static_cast<int>(binary_at(data, 0x0028, 0x0010).value_or(0))};
   return frame;

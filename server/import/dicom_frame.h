@@ -4,11 +4,13 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "import/dicom_padding.h"
 #include "import/raw_voxels.h"
 
 namespace cutaway::reading {
@@ -53,6 +55,7 @@ struct DicomFrame {
   glm::dvec3 position_mm{0.0};
   double slope = 1.0;
   double intercept = 0.0;
+  std::optional<PixelPadding> padding;
   std::array<std::string, kPlaneKeys> keys;
 };
 

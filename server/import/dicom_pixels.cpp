@@ -41,11 +41,19 @@ T stored_value(const char* bytes, int bits_stored, int high_bit) {
   return static_cast<T>(static_cast<T>(at_top) >> (kBits - bits_stored));
 }
 
+/// How stored values lie in the decoded bytes.
+struct StoredBits {
+  int stored = 16;
+  int high_bit = 15;
+};
+
 template <typename From, typename To>
-void convert(const char* bytes, int bits_stored, int high_bit, const DicomFrame& frame,
-             std::span<To> output) {
+void convert(const char* bytes, StoredBits bits, const DicomFrame& frame, std::size_t first,
+             std::span<To> output, PaddingMask& padding) {
   for (std::size_t i = 0; i < output.size(); ++i) {
-    const From value = stored_value<From>(bytes + i * sizeof(From), bits_stored, high_bit);
+    const From value = stored_value<From>(bytes + i * sizeof(From), bits.stored, bits.high_bit);
+    if (frame.padding && frame.padding->contains(static_cast<double>(value)))
+      padding[first + i] = true;
     if constexpr (std::is_integral_v<To>) {
       output[i] = static_cast<To>(value);  // NOLINT(bugprone-signed-char-misuse): numbers, no text
     } else {
@@ -108,25 +116,27 @@ DicomPixels::DicomPixels(const DicomFrame& any_frame_of_file, std::size_t frames
   }
 }
 
-void DicomPixels::store(const DicomFrame& frame, RawVoxels& voxels, std::size_t first) const {
+void DicomPixels::store(const DicomFrame& frame, std::size_t first, RawVoxels& voxels,
+                        PaddingMask& padding) const {
   const char* bytes =
       bytes_.data() + std::size_t(frame.index) * frame_voxels_ * component_bytes(component_);
+  const StoredBits bits{bits_stored_, high_bit_};
   std::visit(
       [&](auto& values) {
         const std::span output = std::span(values).subspan(first, frame_voxels_);
         switch (component_) {
           case Component::int8:
-            return convert<std::int8_t>(bytes, bits_stored_, high_bit_, frame, output);
+            return convert<std::int8_t>(bytes, bits, frame, first, output, padding);
           case Component::uint8:
-            return convert<std::uint8_t>(bytes, bits_stored_, high_bit_, frame, output);
+            return convert<std::uint8_t>(bytes, bits, frame, first, output, padding);
           case Component::int16:
-            return convert<std::int16_t>(bytes, bits_stored_, high_bit_, frame, output);
+            return convert<std::int16_t>(bytes, bits, frame, first, output, padding);
           case Component::uint16:
-            return convert<std::uint16_t>(bytes, bits_stored_, high_bit_, frame, output);
+            return convert<std::uint16_t>(bytes, bits, frame, first, output, padding);
           case Component::int32:
-            return convert<std::int32_t>(bytes, bits_stored_, high_bit_, frame, output);
+            return convert<std::int32_t>(bytes, bits, frame, first, output, padding);
           default:
-            return convert<std::uint32_t>(bytes, bits_stored_, high_bit_, frame, output);
+            return convert<std::uint32_t>(bytes, bits, frame, first, output, padding);
         }
       },
       voxels);

@@ -14,8 +14,10 @@ class DicomPixels {
   DicomPixels(const DicomFrame& any_frame_of_file, std::size_t frames_in_file);
 
   /// Writes one frame to `voxels` from `first` on: stored values where `voxels` is of integers,
-  /// slope and intercept applied where it is of floats.
-  void store(const DicomFrame& frame, RawVoxels& voxels, std::size_t first) const;
+  /// slope and intercept applied where it is of floats. Marks what is padding in `padding`, which
+  /// is as long as `voxels` where the frame declares any.
+  void store(const DicomFrame& frame, std::size_t first, RawVoxels& voxels,
+             PaddingMask& padding) const;
 
  private:
   std::filesystem::path file_;

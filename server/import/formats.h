@@ -16,6 +16,7 @@ struct ScanContext {
   std::stop_token stop;
   std::set<std::filesystem::path> skip;                            ///< not even to be opened
   std::function<void(const std::filesystem::path& file)> on_file;  ///< before each is opened
+  std::function<void()> on_grouping;  ///< when all DICOM headers are read and no file is at work
 
   /// Throws Cancelled when stopped.
   void begin_file(const std::filesystem::path& file) const {

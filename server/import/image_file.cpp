@@ -3,14 +3,18 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <string>
 
 #include "import/data_root.h"
+#include "import/decompressor.h"
+#include "import/length_unit.h"
 #include "import/refusal.h"
 #include "import/text_header.h"
+#include "import/tiff_pages.h"
 
 namespace cutaway::reading {
 
@@ -19,7 +23,9 @@ namespace {
 constexpr int kMostPages = 32768;
 
 std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& file) {
-  auto input = OIIO::ImageInput::open(file.string());
+  OIIO::ImageSpec as_stored;
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);  // else values come multiplied by alpha
+  auto input = OIIO::ImageInput::open(file.string(), &as_stored);
   if (!input) refuse(file, "the picture is broken or cut off", {}, printable(OIIO::geterror()));
   return input;
 }
@@ -67,6 +73,36 @@ PixelLayout layout_of(const std::filesystem::path& file, const OIIO::ImageSpec& 
           component_of(file, spec)};
 }
 
+/// The most that one byte of the file can become in one of the format's compressions. Fax codes and
+/// the later ones of TIFF make next to nothing of an even picture.
+double largest_ratio_of(const OIIO::ImageInput& input) {
+  if (input.format_name() == std::string_view("png")) return largest_ratio(Compression::deflate);
+  const std::string name(input.spec().get_string_attribute("compression"));
+  if (name == "none") return 1.0;
+  if (name == "zip") return largest_ratio(Compression::deflate);
+  if (name == "packbits") return 64.0;
+  if (name == "lzw") return 4096 * 8 / 12.0;  // a whole table in a code
+  return 1e5;
+}
+
+/// The fewest bytes that the page at hand can take in its file. A byte may come from one bit, and
+/// all of a colour from one bit of a palette; wider values from at least half their width.
+double least_bytes_of_page(const OIIO::ImageInput& input, const PixelLayout& layout) {
+  const std::size_t bytes = component_bytes(layout.component);
+  const double pixel_bytes =
+      bytes == 1 ? 1.0 / 8 : static_cast<double>(bytes * layout.channels) / 2;
+  return pixel_bytes * layout.size_px.x * layout.size_px.y / largest_ratio_of(input);
+}
+
+void require_file_size(const std::filesystem::path& file, double least_bytes) {
+  std::error_code failed;
+  const auto available = static_cast<double>(std::filesystem::file_size(file, failed));
+  if (failed) refuse(file, "the file cannot be read", {}, failed.message());
+  if (available >= least_bytes) return;
+  refuse(file, "the file is shorter than its header says",
+         "at least " + bytes_in_words(std::ceil(least_bytes)), bytes_in_words(available));
+}
+
 /// A value from "name=value" lines, as ImageJ writes them into ImageDescription.
 std::string described(const OIIO::ImageSpec& spec, std::string_view name) {
   const std::string text(spec.get_string_attribute("ImageDescription"));
@@ -81,21 +117,12 @@ std::string described(const OIIO::ImageSpec& spec, std::string_view name) {
   return {};
 }
 
-std::optional<double> millimetres_of(std::string_view unit) {
-  if (unit == "in" || unit == "inch") return 25.4;
-  if (unit == "m") return 1000.0;
-  if (unit == "cm") return 10.0;
-  if (unit == "mm") return 1.0;
-  if (unit == "um" || unit == "micron" || unit == "\\u00B5m" || unit == "\xC2\xB5m") return 0.001;
-  return std::nullopt;
-}
-
 bool is_positive(double number) { return std::isfinite(number) && number > 0; }
 
 /// Resolution is pixels per unit; ImageJ's own unit stands for TIFF's "none".
 void take_spacing(const OIIO::ImageSpec& spec, ImageFile& image) {
   const std::string named = described(spec, "unit");
-  const auto unit_mm = millimetres_of(
+  const auto unit_mm = millimetres_per(
       named.empty() ? std::string(spec.get_string_attribute("ResolutionUnit")) : named);
   if (!unit_mm) return;
   const double along_x = spec.get_float_attribute("XResolution", 0.0F);
@@ -108,6 +135,35 @@ void take_spacing(const OIIO::ImageSpec& spec, ImageFile& image) {
     image.slice_spacing_mm = between.front() * *unit_mm;
 }
 
+/// Only a TIFF has several.
+int count_pages(const std::filesystem::path& file) {
+  const TiffPages pages = tiff_pages(file, kMostPages);
+  if (pages.count > kMostPages) {
+    refuse(file, "the file has too many pages", fmt::format("at most {}", kMostPages));
+  }
+  if (pages.first_that_differs) {
+    refuse(file, fmt::format("page {} differs from the first in size or number type",
+                             *pages.first_that_differs + 1));
+  }
+  return std::max(1, pages.count);
+}
+
+/// Row by row where there are rows: several at once OpenImageIO also calls read where the file is
+/// cut off or its compressed data are broken.
+bool read_pixels(OIIO::ImageInput& input, const PixelLayout& layout, std::span<std::byte> pixels) {
+  const OIIO::ImageSpec spec = input.spec();
+  const OIIO::TypeDesc type = type_of(layout.component);
+  if (spec.tile_width > 0) {
+    return input.read_image(input.current_subimage(), 0, 0, spec.nchannels, type, pixels.data());
+  }
+  const std::size_t row_bytes = pixels.size() / static_cast<std::size_t>(spec.height);
+  for (int row = 0; row < spec.height; ++row) {
+    const auto target = pixels.subspan(static_cast<std::size_t>(row) * row_bytes, row_bytes);
+    if (!input.read_scanline(spec.y + row, 0, type, target.data())) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 ImageFile open_image_file(const std::filesystem::path& file) {
@@ -115,12 +171,8 @@ ImageFile open_image_file(const std::filesystem::path& file) {
   ImageFile image;
   image.layout = layout_of(file, input->spec());
   take_spacing(input->spec(), image);
-  for (; image.pages < kMostPages && input->seek_subimage(image.pages, 0); ++image.pages) {
-    if (layout_of(file, input->spec()) != image.layout) {
-      refuse(file,
-             fmt::format("page {} differs from the first in size or number type", image.pages + 1));
-    }
-  }
+  image.pages = count_pages(file);
+  require_file_size(file, image.pages * least_bytes_of_page(*input, image.layout));
   return image;
 }
 
@@ -129,11 +181,10 @@ void read_image_page(const std::filesystem::path& file, int page, const PixelLay
   const auto input = open(file);
   const bool there = input->seek_subimage(page, 0);
   if (!there || layout_of(file, input->spec()) != layout) {
-    refuse(file, "the file changed while it was read");
+    refuse(file, fmt::format("page {} is not as the first, or not there", page + 1));
   }
-  const bool read = input->read_image(page, 0, 0, static_cast<int>(layout.channels),
-                                      type_of(layout.component), pixels.data());
-  if (!read) refuse(file, "the picture is broken or cut off", {}, printable(input->geterror()));
+  if (read_pixels(*input, layout, pixels)) return;
+  refuse(file, "the picture is broken or cut off", {}, printable(input->geterror()));
 }
 
 }  // namespace cutaway::reading

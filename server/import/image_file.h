@@ -28,12 +28,12 @@ struct ImageFile {
   std::optional<double> slice_spacing_mm;  ///< as ImageJ notes it in a TIFF's description
 };
 
-/// Reads headers only. Throws Error naming the file where it is broken, where its pages differ, or
-/// for a number type that is not read.
+/// Reads headers only. Throws Error naming the file where it is broken, or too short for the pixels
+/// that it declares, where its pages differ or are too many, or for a number type that is not read.
 ImageFile open_image_file(const std::filesystem::path& file);
 
-/// One page's pixels, channels interleaved, in the layout's number type. Throws Error naming the
-/// file.
+/// One page's pixels as stored, never multiplied by alpha; channels interleaved, in the layout's
+/// number type. Throws Error naming the file.
 void read_image_page(const std::filesystem::path& file, int page, const PixelLayout& layout,
                      std::span<std::byte> pixels);
 

@@ -67,6 +67,19 @@ glm::dvec3 spacing_of(Stack& stack) {
   return {in_plane, in_plane.y};
 }
 
+void warn_of_channels(std::size_t channels, std::vector<std::string>& warnings) {
+  if (channels == 2) warnings.emplace_back("the second channel (alpha) was left out");
+  if (channels == 3) warnings.emplace_back("colour was reduced to its luminance");
+  if (channels == 4)
+    warnings.emplace_back(
+        "colour was reduced to its luminance; the fourth channel (alpha) was left out");
+  if (channels > 4) {
+    warnings.push_back(fmt::format(
+        "the first 3 of {} channels were reduced to their luminance; the others were left out",
+        channels));
+  }
+}
+
 void lay_out(Stack& stack, const ImportLimits& limits) {
   const PixelLayout& layout = stack.first.layout;
   const glm::ivec3 size(layout.size_px, stack.slice_count());
@@ -81,8 +94,19 @@ void lay_out(Stack& stack, const ImportLimits& limits) {
   stack.plan = plan_grid(file, stack.slices, voxel_bytes, limits);
   stack.warnings.insert(stack.warnings.end(), stack.plan.warnings.begin(),
                         stack.plan.warnings.end());
-  if (layout.channels >= 3) stack.warnings.emplace_back("colour was reduced to its luminance");
-  if (layout.channels == 2) stack.warnings.emplace_back("the second channel (alpha) was left out");
+  warn_of_channels(layout.channels, stack.warnings);
+}
+
+/// A link could lead out of the data folder.
+void take_sidecar(Stack& stack) {
+  const fs::path sidecar = stack.files.front().parent_path() / kSidecarName;
+  std::error_code failed;
+  if (fs::is_symlink(sidecar, failed)) {
+    stack.warnings.emplace_back("volume.json is a link and was not followed");
+  } else if (fs::is_regular_file(sidecar, failed)) {
+    stack.sidecar = read_sidecar(sidecar);
+    stack.warnings = stack.sidecar.warnings;
+  }
 }
 
 Stack open_stack(std::vector<fs::path> files, const ImportLimits& limits,
@@ -90,11 +114,7 @@ Stack open_stack(std::vector<fs::path> files, const ImportLimits& limits,
   Stack stack;
   stack.files = std::move(files);
   open_pictures(stack, begin_file);
-  const fs::path sidecar = stack.files.front().parent_path() / kSidecarName;
-  std::error_code failed;
-  if (fs::is_regular_file(fs::symlink_status(sidecar, failed)))
-    stack.sidecar = read_sidecar(sidecar);
-  stack.warnings = stack.sidecar.warnings;
+  take_sidecar(stack);
   lay_out(stack, limits);
   return stack;
 }
@@ -145,7 +165,8 @@ std::vector<std::vector<fs::path>> stacks_of_folder(const fs::path& folder,
     if (!paged) singles.push_back(name);
   }
   std::vector<std::vector<std::string>> by_name;
-  if (fs::exists(folder / kSidecarName, failed) && !singles.empty()) {
+  const bool described = fs::is_regular_file(fs::symlink_status(folder / kSidecarName, failed));
+  if (described && !singles.empty()) {
     std::sort(singles.begin(), singles.end(), NaturalOrder());
     by_name = {singles};
   } else {

@@ -68,6 +68,7 @@ void scan_for(const Json& job, const ImportLimits& limits) {
   context.limits = limits;
   for (const auto& path : paths_from(job.at("skip"))) context.skip.insert(path);
   context.on_file = [](const std::filesystem::path& file) { report("file", file.string()); };
+  context.on_grouping = [] { report("grouping", true); };
   const auto path = job.at("scan").get<std::string>();
   const auto root = job.at("root").get<std::string>();
   report("listing", to_json(scan_in_context(path, root, std::move(context))));

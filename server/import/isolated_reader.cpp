@@ -25,10 +25,12 @@ namespace {
 constexpr std::uint64_t kBaseMemoryBytes = std::uint64_t{1} << 30;  // program, libraries, headers
 
 /// A voxel passes through at most 32 bytes on its way: as in the file, as decoded, resampled,
-/// packed; and files are read whole.
-std::uint64_t memory_for(const VolumeSource& source) {
+/// packed. Files are read whole; and what is decoded beside the voxels is there four times at
+/// worst, within a limit that holds whatever the child that scanned the file has said.
+std::uint64_t memory_for(const VolumeSource& source, const ImportLimits& limits) {
   const glm::ivec3 size = source.geometry.size_voxels;
   std::uint64_t bytes = kBaseMemoryBytes + std::uint64_t(size.x) * size.y * size.z * 32;
+  bytes += 4 * std::min(source.decode_bytes, limits.volume_bytes);
   for (const auto& file : source.files) {
     std::error_code failed;
     const auto file_bytes = fs::file_size(file, failed);
@@ -157,7 +159,7 @@ Volume read_volume_isolated(const IsolatedReader& isolation, const VolumeSource&
     const Descriptor voxels = make_memory_file("cutaway-voxels");
     const Json job = {{"read", to_json(source)}, {"volume_bytes", limits.volume_bytes}};
     const std::uint64_t memory =
-        isolation.memory_bytes > 0 ? isolation.memory_bytes : memory_for(source);
+        isolation.memory_bytes > 0 ? isolation.memory_bytes : memory_for(source, limits);
     const auto on_report = [&](const Json& report) {
       if (!progress || !report.contains("progress")) return;
       const auto [stage, fraction] = progress_from(report.at("progress"));
@@ -183,9 +185,11 @@ Listing scan_volumes_isolated(const IsolatedReader& isolation, const fs::path& p
                         {"root", data_root.string()},
                         {"skip", skip},
                         {"volume_bytes", limits.volume_bytes}};
-      std::string current;
+      std::string current;  // the file at work, empty where there is none to blame
+      bool grouping = false;
       const auto on_report = [&](const Json& report) {
-        if (report.contains("file")) current = report.at("file");
+        grouping = report.contains("grouping");
+        current = report.contains("file") ? report.at("file").get<std::string>() : "";
       };
       const std::uint64_t memory =
           isolation.memory_bytes > 0 ? isolation.memory_bytes : 4 * kBaseMemoryBytes;
@@ -195,6 +199,7 @@ Listing scan_volumes_isolated(const IsolatedReader& isolation, const fs::path& p
         listing.refused.insert(listing.refused.end(), failed.begin(), failed.end());
         return listing;
       }
+      if (grouping) refuse(path, *outcome.failure + " while it sorted DICOM slices into volumes");
       if (current.empty() || failed.size() == kMostFailures) refuse(path, *outcome.failure);
       failed.push_back({current, *outcome.failure});
       skip.push_back(current);

@@ -101,8 +101,12 @@ Component component_of(const fs::path& file, const MetaFields& fields) {
        {"MET_FLOAT", Component::float32},
        {"MET_DOUBLE", Component::float64}}};
   const std::string type = fields.word("ElementType");
+  // An array is as long as ElementNumberOfChannels says, like the values of any other type.
+  constexpr std::string_view kArray = "_ARRAY";
+  std::string_view element = type;
+  if (element.ends_with(kArray)) element.remove_suffix(kArray.size());
   const auto found = std::find_if(kTypes.begin(), kTypes.end(),
-                                  [&](const auto& entry) { return entry.first == type; });
+                                  [&](const auto& entry) { return entry.first == element; });
   if (found != kTypes.end()) return found->second;
   refuse(file, "this number type is not read", "MET_CHAR to MET_DOUBLE", printable(type));
 }

@@ -16,7 +16,7 @@ namespace {
 
 NiftiHeader read_header(const fs::path& file) {
   std::array<std::byte, 540> bytes{};
-  ByteStream input(file, 0, has_gzip_magic(file));
+  ByteStream input(file, 0, has_gzip_magic(file) ? Compression::deflate : Compression::none);
   return parse_nifti_header(file, std::span(bytes).first(input.read(bytes)));
 }
 

@@ -43,11 +43,16 @@ class Fields {
   bool swapped_;
 };
 
-std::uint64_t checked_offset(const std::filesystem::path& file, double offset) {
-  if (std::isfinite(offset) && offset >= 0 && offset < 1e9)
+/// In a single file the voxels follow the header and four bytes that announce extensions. Writers
+/// that leave the offset 0 mean the first place where they can be.
+std::uint64_t checked_offset(const std::filesystem::path& file, double offset, bool single_file,
+                             std::int32_t header_bytes) {
+  const double least = single_file ? header_bytes + 4 : 0;
+  if (offset == 0) offset = least;
+  if (std::isfinite(offset) && offset >= least && offset < 1e9)
     return static_cast<std::uint64_t>(offset);
-  refuse(file, "the offset of the voxels is not usable", "a number of bytes from 0",
-         number_in_words(offset));
+  refuse(file, "the offset of the voxels (vox_offset) is not usable",
+         "0, or from " + number_in_words(least) + " bytes on", number_in_words(offset));
 }
 
 NiftiHeader parse_version_1(const std::filesystem::path& file, const Fields& fields) {
@@ -61,7 +66,8 @@ NiftiHeader parse_version_1(const std::filesystem::path& file, const Fields& fie
   fields.fill<std::int16_t>(header.dim, 40);
   header.datatype = fields.at<std::int16_t>(70);
   fields.fill<float>(header.pixdim, 76);
-  header.voxel_offset = checked_offset(file, fields.at<float>(108));
+  header.voxel_offset =
+      checked_offset(file, fields.at<float>(108), header.single_file, kHeaderBytes1);
   header.slope = fields.at<float>(112);
   header.intercept = fields.at<float>(116);
   header.length_unit = fields.at<std::uint8_t>(123) & 7;
@@ -84,7 +90,8 @@ NiftiHeader parse_version_2(const std::filesystem::path& file, const Fields& fie
   header.datatype = fields.at<std::int16_t>(12);
   fields.fill<std::int64_t>(header.dim, 16);
   fields.fill<double>(header.pixdim, 104);
-  header.voxel_offset = checked_offset(file, static_cast<double>(fields.at<std::int64_t>(168)));
+  header.voxel_offset = checked_offset(file, static_cast<double>(fields.at<std::int64_t>(168)),
+                                       header.single_file, kHeaderBytes2);
   header.slope = fields.at<double>(176);
   header.intercept = fields.at<double>(184);
   header.qform_code = fields.at<std::int32_t>(344);

@@ -6,6 +6,7 @@
 
 #include "import/data_root.h"
 #include "import/grid_file.h"
+#include "import/length_unit.h"
 #include "import/nrrd_header.h"
 #include "import/refusal.h"
 
@@ -89,22 +90,60 @@ void set_axes(GridFile& grid, std::vector<NrrdAxis>& axes, const ImportLimits& l
   axes.erase(axes.begin(), first);
 }
 
+/// A unit that is not said is millimetres by custom; one that is not known is taken for them.
+double millimetres_of(const std::string& unit, std::vector<std::string>& warnings) {
+  if (unit.empty()) return 1.0;
+  if (const auto millimetres = millimetres_per(unit)) return *millimetres;
+  std::string warning = fmt::format(
+      "the unit of length \"{}\" is not known; millimetres were taken", printable(unit));
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) {
+    warnings.push_back(std::move(warning));
+  }
+  return 1.0;
+}
+
+/// What the header leaves open of the place in the patient, and what was taken; empty for nothing.
+std::string assumed_place(const TextHeader& text, bool spaced) {
+  const std::string space = printable(text.find("space").value_or(""));
+  const bool patient_space = nrrd_to_lps(text).has_value();
+  const char* const spacing = spaced ? "" : ", spacing as 1 mm";
+  if (text.find("spacedirections")) {
+    if (patient_space) return "";
+    return fmt::format(
+        "the file places its voxels in {}; that was taken for the patient's "
+        "left-posterior-superior",
+        space.empty() ? "a space without a name" : "the space \"" + space + "\"");
+  }
+  if (patient_space) {
+    return fmt::format(
+        "the file gives no space directions; i, j, k taken along the axes of its space, {}{}",
+        space, spacing);
+  }
+  return fmt::format(
+      "no physical geometry: the file names no place in the patient; i, j, k taken as left, "
+      "posterior, superior{}",
+      spacing);
+}
+
+/// "space units" are of directions and origin, "units" of each axis' own spacing.
 void set_place(GridFile& grid, const TextHeader& text, const std::vector<NrrdAxis>& axes) {
-  const auto to_lps = nrrd_to_lps(text);
+  const glm::dvec3 to_lps = nrrd_to_lps(text).value_or(glm::dvec3(1.0));
+  const auto units = nrrd_space_units(grid.header, text);
+  glm::dvec3 to_lps_mm = to_lps;
+  for (int i = 0; i < 3; ++i)
+    to_lps_mm[i] *= millimetres_of(units.at(static_cast<std::size_t>(i)), grid.warnings);
   bool spaced = true;
   for (int axis = 0; axis < 3; ++axis) {
     const NrrdAxis& from = axes[static_cast<std::size_t>(axis)];
     spaced = spaced && (from.direction || from.spacing);
-    glm::dvec3 step(0.0);
-    step[axis] = from.spacing.value_or(1.0);
-    grid.steps_mm[axis] = from.direction.value_or(step) * to_lps.value_or(glm::dvec3(1.0));
+    glm::dvec3 step_mm(0.0);
+    if (!from.direction)
+      step_mm[axis] = from.spacing.value_or(1.0) * millimetres_of(from.unit, grid.warnings);
+    grid.steps_mm[axis] = from.direction ? *from.direction * to_lps_mm : step_mm * to_lps;
   }
-  grid.origin_mm = nrrd_origin(grid.header, text) * to_lps.value_or(glm::dvec3(1.0));
-  if (to_lps && text.find("spacedirections")) return;
-  grid.warnings.push_back(fmt::format(
-      "no physical geometry: the file names no place in the patient; i, j, k taken as left, "
-      "posterior, superior{}",
-      spaced ? "" : ", spacing as 1 mm"));
+  grid.origin_mm = nrrd_origin(grid.header, text) * to_lps_mm;
+  if (std::string assumed = assumed_place(text, spaced); !assumed.empty())
+    grid.warnings.push_back(std::move(assumed));
 }
 
 }  // namespace

@@ -35,6 +35,18 @@ std::vector<std::string> vectors_of(std::string_view text) {
   return vectors;
 }
 
+/// The texts between quotes: "mm" "" "mm".
+std::vector<std::string> quoted_texts_of(std::string_view text) {
+  std::vector<std::string> texts;
+  for (std::size_t begin = text.find('"'); begin != std::string_view::npos;) {
+    const std::size_t end = text.find('"', begin + 1);
+    if (end == std::string_view::npos) break;
+    texts.emplace_back(trimmed(text.substr(begin + 1, end - begin - 1)));
+    begin = text.find('"', end + 1);
+  }
+  return texts;
+}
+
 glm::dvec3 vector_of(const fs::path& file, std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
@@ -52,8 +64,9 @@ std::vector<std::string> per_axis(const fs::path& file, const TextHeader& text, 
                                   std::size_t axes) {
   const auto value = text.find(name);
   if (!value) return {};
-  std::vector<std::string> words =
-      name == std::string_view("spacedirections") ? vectors_of(*value) : words_of(*value);
+  std::vector<std::string> words = name == std::string_view("spacedirections") ? vectors_of(*value)
+                                   : name == std::string_view("units") ? quoted_texts_of(*value)
+                                                                       : words_of(*value);
   if (words.size() != axes) {
     refuse(file, fmt::format("the header's {} do not fit its dimension", name),
            fmt::format("{} entries", axes), std::to_string(words.size()));
@@ -137,7 +150,9 @@ Encoding nrrd_encoding(const fs::path& file, const TextHeader& text) {
   if (encoding == "txt" || encoding == "text" || encoding == "ascii") return Encoding::ascii;
   if (encoding == "hex") return Encoding::hex;
   if (encoding == "gz" || encoding == "gzip") return Encoding::deflated;
-  refuse(file, "this NRRD encoding is not read", "raw, ascii, hex or gzip", printable(encoding));
+  if (encoding == "bz2" || encoding == "bzip2") return Encoding::bzip2;
+  refuse(file, "this NRRD encoding is not read", "raw, ascii, hex, gzip or bzip2",
+         printable(encoding));
 }
 
 std::vector<NrrdAxis> nrrd_axes(const fs::path& file, const TextHeader& text) {
@@ -149,12 +164,14 @@ std::vector<NrrdAxis> nrrd_axes(const fs::path& file, const TextHeader& text) {
   }
   const auto kinds = per_axis(file, text, "kinds", sizes.size());
   const auto spacings = per_axis(file, text, "spacings", sizes.size());
+  const auto units = per_axis(file, text, "units", sizes.size());
   const auto directions = per_axis(file, text, "spacedirections", sizes.size());
   std::vector<NrrdAxis> axes(sizes.size());
   for (std::size_t i = 0; i < axes.size(); ++i) {
     axes[i].extent = integer_of(sizes[i]).value_or(0);
     if (!kinds.empty()) take_kind(lower_case(kinds[i]), axes[i]);
     if (!spacings.empty()) axes[i].spacing = spacing_of(file, spacings[i]);
+    if (!units.empty()) axes[i].unit = units[i];
     if (directions.empty()) continue;
     axes[i].is_spatial = lower_case(directions[i]) != "none";
     if (axes[i].is_spatial) axes[i].direction = vector_of(file, directions[i]);
@@ -172,6 +189,17 @@ std::optional<glm::dvec3> nrrd_to_lps(const TextHeader& text) {
   if (space == "left-anterior-superior" || space == "las" || space == "last")
     return glm::dvec3(1, -1, 1);
   return std::nullopt;
+}
+
+std::array<std::string, 3> nrrd_space_units(const fs::path& file, const TextHeader& text) {
+  const auto field = text.find("spaceunits");
+  if (!field) return {};
+  const std::vector<std::string> units = quoted_texts_of(*field);
+  if (units.size() < 3) {
+    refuse(file, "the header's space units are not usable", R"("unit" "unit" "unit")",
+           printable(*field));
+  }
+  return {units[0], units[1], units[2]};
 }
 
 glm::dvec3 nrrd_origin(const fs::path& file, const TextHeader& text) {

@@ -24,6 +24,7 @@ struct VolumeSource {
   VolumeGeometry geometry;                   ///< as far as headers tell
   std::vector<std::filesystem::path> files;  ///< canonical; for a series in no particular order
   std::string part = {};  ///< which of several volumes in the same files; "" where there is one
+  std::uint64_t decode_bytes = 0;  ///< that decoding takes beside the voxels themselves
 };
 
 struct RefusedFile {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -17,11 +18,14 @@ constexpr std::size_t kLargestHeaderBytes = std::size_t{4} << 20;
 constexpr std::size_t kLargestLineBytes = std::size_t{64} << 10;
 constexpr std::int64_t kLargestFileCount = 32768;
 
-double number_of(std::string_view text) {
-  double value = 0.0;
+/// from_chars takes a minus but no plus.
+template <typename T>
+std::optional<T> parsed(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  T value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole ? value : std::numeric_limits<double>::quiet_NaN();
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
 }
 
 /// Where the conversion of `pattern` begins and ends, and its width.
@@ -56,27 +60,33 @@ std::string with_number(std::string_view pattern, const Conversion& place, std::
          std::string(pattern.substr(place.end));
 }
 
-/// "slice%03d.raw 1 99 1" to its names; one name alone to itself. Of conversions only one of an
-/// integer is taken.
+/// "slice%03d.raw 1 99 1" to its names, "slice%03d.raw 99 1 -1" in falling order; one name alone to
+/// itself. Of conversions only one of an integer is taken.
 std::vector<std::string> expand_file_pattern(const std::filesystem::path& file,
                                              std::string_view text) {
   if (text.find('%') == std::string_view::npos) return {std::string(text)};
   const std::vector<std::string> words = words_of(text);
   const auto place = find_conversion(words.empty() ? std::string_view() : words.front());
   const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : std::string(); };
-  const std::int64_t first = integer_of(word(1)).value_or(-1);
-  const std::int64_t last = integer_of(word(2)).value_or(-1);
-  const std::int64_t step = words.size() > 3 ? integer_of(words[3]).value_or(0) : 1;
-  const bool usable = place && step > 0 && first >= 0 && last >= first &&
-                      last < std::numeric_limits<std::int32_t>::max() &&
-                      (last - first) / step < kLargestFileCount;
+  const auto number = [&](std::size_t i) {
+    const auto value = integer_of(word(i));
+    constexpr std::int64_t kLargest = std::numeric_limits<std::int32_t>::max();
+    const bool is_small = value && *value <= kLargest && *value >= -kLargest;
+    return is_small ? value : std::nullopt;
+  };
+  const std::int64_t first = number(1).value_or(-1);
+  const std::int64_t last = number(2).value_or(-1);
+  const std::int64_t step = words.size() > 3 ? number(3).value_or(0) : 1;
+  const std::int64_t way = step > 0 ? last - first : first - last;
+  const bool usable = place && step != 0 && first >= 0 && last >= 0 && way >= 0 &&
+                      way / std::abs(step) < kLargestFileCount;
   if (!usable) {
     refuse(file, "the pattern of data file names is not usable", "name%03d.raw first last step",
            printable(text));
   }
   std::vector<std::string> names;
-  for (std::int64_t number = first; number <= last; number += step) {
-    names.push_back(with_number(words.front(), *place, number));
+  for (std::int64_t i = 0; i <= way / std::abs(step); ++i) {
+    names.push_back(with_number(words.front(), *place, first + i * step));
   }
   return names;
 }
@@ -118,16 +128,15 @@ std::vector<std::string> words_of(std::string_view text) {
 
 std::vector<double> numbers_of(std::string_view text) {
   std::vector<double> numbers;
-  for (const auto& word : words_of(text)) numbers.push_back(number_of(word));
+  for (const auto& word : words_of(text)) {
+    numbers.push_back(real_of(word).value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
   return numbers;
 }
 
-std::optional<std::int64_t> integer_of(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
+std::optional<double> real_of(std::string_view text) { return parsed<double>(text); }
+
+std::optional<std::int64_t> integer_of(std::string_view text) { return parsed<std::int64_t>(text); }
 
 std::vector<std::filesystem::path> named_data_files(const std::filesystem::path& header,
                                                     const std::string& named,

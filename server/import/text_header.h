@@ -38,6 +38,9 @@ class HeaderLines {
 /// Words parted by blanks. Numbers that are none give NaN, so that a check sees them.
 std::vector<std::string> words_of(std::string_view text);
 std::vector<double> numbers_of(std::string_view text);
+
+/// One number and nothing else, with or without a sign.
+std::optional<double> real_of(std::string_view text);
 std::optional<std::int64_t> integer_of(std::string_view text);
 
 /// The data files of a header, canonical: `named` is the value of its field, a name, a pattern, or

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include "import/byte_stream.h"
 #include "import/refusal.h"
+#include "import/text_header.h"
 
 namespace cutaway::reading {
 
@@ -20,24 +20,33 @@ namespace {
 
 constexpr std::size_t kPieceBytes = std::size_t{1} << 20;
 
-/// Best case: how many bytes of voxels a byte of the file stands for. An ASCII number takes at
-/// least a digit and a blank.
-double best_ratio(const VoxelData& data) {
-  switch (data.encoding) {
-    case Encoding::raw:
-      break;
-    case Encoding::deflated:
-      return kLargestDeflateRatio;
-    case Encoding::ascii:
-      return static_cast<double>(component_bytes(data.component)) / 2.0;
-    case Encoding::hex:
-      return 0.5;
-  }
-  return 1.0;
+Compression compression_of(Encoding encoding) {
+  if (encoding == Encoding::deflated) return Compression::deflate;
+  if (encoding == Encoding::bzip2) return Compression::bzip2;
+  return Compression::none;
 }
 
 std::uint64_t bytes_per_file(const VoxelData& data) {
   return data.count / data.files.size() * component_bytes(data.component);
+}
+
+/// The fewest bytes from the data's begin on in which a file can hold its share. An ASCII number
+/// takes at least a digit, and a blank before the next.
+double least_bytes_per_file(const VoxelData& data) {
+  const auto skipped = static_cast<double>(data.skip_decoded);
+  const auto bytes = static_cast<double>(bytes_per_file(data));
+  switch (data.encoding) {
+    case Encoding::raw:
+      break;
+    case Encoding::deflated:
+    case Encoding::bzip2:
+      return (skipped + bytes) / largest_ratio(compression_of(data.encoding));
+    case Encoding::ascii:
+      return skipped + 2 * bytes / static_cast<double>(component_bytes(data.component)) - 1;
+    case Encoding::hex:
+      return skipped + 2 * bytes;
+  }
+  return skipped + bytes;
 }
 
 std::uint64_t begin_of(const VoxelData& data, const fs::path& file) {
@@ -57,7 +66,7 @@ class Share {
         file_(data.files[file_index]),
         index_(static_cast<double>(file_index)),
         context_(context),
-        stream_(file_, begin_of(data, file_), data.encoding == Encoding::deflated) {
+        stream_(file_, begin_of(data, file_), compression_of(data.encoding)) {
     if (!stream_.skip(data.skip_decoded)) refuse(file_, "the file ends before its voxels begin");
   }
 
@@ -143,15 +152,12 @@ class Share {
 
   template <typename T>
   T parse(const std::string& word) const {
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    const bool whole = error == std::errc() && end == word.data() + word.size();
-    const bool fits =
-        !std::is_integral_v<T> || (value >= static_cast<double>(std::numeric_limits<T>::lowest()) &&
-                                   value <= static_cast<double>(std::numeric_limits<T>::max()));
-    if (!whole || !fits)
-      refuse(file_, "the data hold a number that is not of their type", {}, word);
-    return static_cast<T>(value);
+    const auto value = real_of(word);
+    const bool fits = value && (!std::is_integral_v<T> ||
+                                (*value >= static_cast<double>(std::numeric_limits<T>::lowest()) &&
+                                 *value <= static_cast<double>(std::numeric_limits<T>::max())));
+    if (!fits) refuse(file_, "the data hold a number that is not of their type", {}, word);
+    return static_cast<T>(*value);
   }
 
   const VoxelData& data_;
@@ -197,14 +203,14 @@ void require_file_sizes(const VoxelData& data) {
     refuse(data.files.empty() ? fs::path() : data.files.front(),
            "the voxels cannot be shared evenly among their files");
   }
-  const auto needed = static_cast<double>(bytes_per_file(data) + data.skip_decoded);
+  const double needed = std::ceil(least_bytes_per_file(data));
   for (const auto& file : data.files) {
     std::error_code failed;
     const auto size = static_cast<double>(fs::file_size(file, failed));
     if (failed) refuse(file, "the file cannot be read", {}, failed.message());
     const double available = size - (data.at_end_of_file ? 0.0 : static_cast<double>(data.begin));
-    if (available * best_ratio(data) + 2.0 >= needed) continue;
-    refuse(file, "the file is shorter than its header says", bytes_in_words(needed),
+    if (available >= needed) continue;
+    refuse(file, "the file is shorter than its header says", "at least " + bytes_in_words(needed),
            bytes_in_words(std::max(0.0, available)));
   }
 }

@@ -74,12 +74,13 @@ Json to_json(const VolumeSource& source) {
   return {{"description", to_json(source.description)},
           {"geometry", to_json(source.geometry)},
           {"files", files},
-          {"part", source.part}};
+          {"part", source.part},
+          {"decode_bytes", source.decode_bytes}};
 }
 
 VolumeSource source_from(const Json& json) {
   return {description_from(json.at("description")), geometry_from(json.at("geometry")),
-          paths_from(json.at("files")), json.at("part")};
+          paths_from(json.at("files")), json.at("part"), json.at("decode_bytes")};
 }
 
 Json to_json(const Listing& listing) {

@@ -10,6 +10,8 @@
 #include "import/isolated_reader.h"
 #include "unit/import/dicom_writer.h"
 #include "unit/import/import_test_support.h"
+#include "unit/import/nifti_writer.h"
+#include "unit/import/picture_writer.h"
 
 namespace cutaway::test {
 namespace {
@@ -46,19 +48,36 @@ void write_enhanced(const fs::path& folder) {
 }
 
 std::string nifti_bytes() {
-  std::string bytes(352, '\0');
-  const auto put = [&](std::size_t at, const std::string& raw) {
-    bytes.replace(at, raw.size(), raw);
-  };
-  put(0, bytes_of_numbers<std::int32_t>({348}));
-  put(40, bytes_of_numbers<std::int16_t>({3, 4, 4, 4}));
-  put(70, bytes_of_numbers<std::int16_t>({4, 16}));
-  put(76, bytes_of_numbers<float>({1, 1, 1, 1}));
-  put(108, bytes_of_numbers<float>({352}));
-  put(252, bytes_of_numbers<std::int16_t>({1, 1}));
-  put(280, bytes_of_numbers<float>({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}));
-  put(344, "n+1");
-  return bytes + std::string(128, 'v');
+  const NiftiFile nifti{.dim = {4, 4, 4}, .datatype = 4};
+  return nifti.with(std::string(128, 'v'));
+}
+
+std::string nrrd_header(const std::string& encoding) {
+  return "NRRD0004\ntype: short\ndimension: 3\nspace: RAS\nsizes: 4 4 4\nspace directions: "
+         "(1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nspace units: \"cm\" \"cm\" \"cm\"\n"
+         "kinds: domain domain domain\nendian: little\nencoding: " +
+         encoding + "\n\n";
+}
+
+/// Two pictures, of which the first is changed.
+void write_pictures(const fs::path& folder, const std::string& ending, const std::string& bytes) {
+  write_file(folder / ("a" + ending), bytes);
+  write_file(folder / ("b" + ending), bytes);
+}
+
+std::string tiff_of(std::uint16_t compression, std::uint32_t pages = 1) {
+  const std::string pixels(128, 'v');
+  return tiff_bytes({.size_px = {8, 8},
+                     .pixels = compression == 8 ? zlib(pixels) : pixels,
+                     .compression = compression,
+                     .pages = pages});
+}
+
+std::string png_of(std::uint8_t colour_type, std::size_t row_bytes) {
+  return png_bytes({.size_px = {8, 8},
+                    .colour_type = colour_type,
+                    .pixels = std::string(8 * row_bytes, 'v'),
+                    .row_bytes = row_bytes});
 }
 
 const Sample kSamples[]{
@@ -71,13 +90,22 @@ const Sample kSamples[]{
      [](const fs::path& folder) { write_file(folder / "a.nii.gz", gzip(nifti_bytes())); }},
     {"nrrd", false, 400,
      [](const fs::path& folder) {
-       write_file(folder / "a.nrrd",
-                  "NRRD0004\ntype: short\ndimension: 3\nspace: RAS\nsizes: 4 4 4\nspace "
-                  "directions: (1,0,0) (0,1,0) (0,0,1)\n"
-                  "space origin: (0,0,0)\nkinds: domain domain domain\nendian: little\nencoding: "
-                  "gzip\n\n" +
-                      gzip(std::string(128, 'v')));
+       write_file(folder / "a.nrrd", nrrd_header("gzip") + gzip(std::string(128, 'v')));
      }},
+    {"nrrd_bzip2", false, 400,
+     [](const fs::path& folder) {
+       write_file(folder / "a.nrrd", nrrd_header("bzip2") + bzip2(std::string(128, 'v')));
+     }},
+    {"tiff", false, 200,
+     [](const fs::path& folder) { write_pictures(folder, ".tif", tiff_of(1)); }},
+    {"tiff_zip", false, 200,
+     [](const fs::path& folder) { write_pictures(folder, ".tif", tiff_of(8)); }},
+    {"tiff_pages", false, 200,
+     [](const fs::path& folder) { write_file(folder / "a.tif", tiff_of(1, 4)); }},
+    {"png", false, 200,
+     [](const fs::path& folder) { write_pictures(folder, ".png", png_of(0, 8)); }},
+    {"png_rgba", false, 200,
+     [](const fs::path& folder) { write_pictures(folder, ".png", png_of(6, 32)); }},
     {"metaimage", false, 400,
      [](const fs::path& folder) {
        write_file(folder / "a.mha",
@@ -100,6 +128,11 @@ std::string corrupted(std::string bytes, std::mt19937& random) {
   if (kind == 0) return bytes.substr(0, below(bytes.size()));
   if (kind == 1) return bytes.insert(below(bytes.size()), bytes.substr(0, below(bytes.size())));
   if (kind == 2) return bytes.erase(below(bytes.size()), 1 + below(16));
+  if (kind == 3) {
+    const std::size_t begin = below(bytes.size());
+    const std::size_t zeros = std::min(bytes.size() - begin, 1 + below(32));
+    return bytes.replace(begin, zeros, zeros, '\0');
+  }
   for (std::size_t i = 0; i < 1 + below(4); ++i)
     bytes[below(bytes.size())] = static_cast<char>(random());
   return bytes;

@@ -120,6 +120,10 @@ gdcm::VR vr_of(DicomTag tag) {
 }
 
 void put_extras(gdcm::DataSet& data, const DicomSlice& slice) {
+  for (const auto& [tag, value, is_signed] : slice.shorts) {
+    put_bytes(data, tag, is_signed ? gdcm::VR::SS : gdcm::VR::US,
+              bytes_of_numbers<std::uint16_t>({static_cast<std::uint16_t>(value)}));
+  }
   for (const auto& [tag, text] : slice.texts) {
     if (text.empty()) {
       data.Remove(gdcm::Tag(tag.first, tag.second));
@@ -237,6 +241,45 @@ void write_enhanced_dicom(const std::filesystem::path& file, const std::vector<D
   put_bytes(data, {0x7fe0, 0x0010}, gdcm::VR::OW, pixels);
   put_extras(data, first);
   write(file, data);
+}
+
+std::vector<DicomSlice> ramp_series(int count, glm::dvec3 first, glm::dvec3 step,
+                                    const DicomSlice& like) {
+  std::vector<DicomSlice> slices;
+  for (int k = 0; k < count; ++k) {
+    DicomSlice& slice = slices.emplace_back(like);
+    slice.position_mm = first + step * static_cast<double>(k);
+    slice.texts[{0x0020, 0x0013}] = std::to_string((k * 7) % count);
+    slice.fill_with_ramp();
+  }
+  return slices;
+}
+
+void write_series(const std::filesystem::path& folder, const std::vector<DicomSlice>& slices,
+                  const std::string& prefix) {
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    const std::size_t scrambled = (k * 5 + 3) % slices.size();
+    write_dicom(
+        folder / (prefix + std::to_string(1000 + scrambled) + "-" + std::to_string(k) + ".dcm"),
+        slices[k]);
+  }
+}
+
+DicomSlice ramp_slice(glm::dvec3 row, glm::dvec3 column) {
+  DicomSlice slice;
+  slice.size_px = {7, 5};
+  slice.spacing_mm = {0.75, 1.25};
+  slice.row_axis = glm::normalize(row);
+  slice.column_axis = glm::normalize(column - slice.row_axis * glm::dot(slice.row_axis, column));
+  slice.slope = 0.125;
+  slice.intercept = 900;
+  return slice;
+}
+
+std::vector<DicomSlice> with_text(std::vector<DicomSlice> slices, DicomTag tag,
+                                  const std::string& text) {
+  for (auto& slice : slices) slice.texts[tag] = text;
+  return slices;
 }
 
 }  // namespace cutaway::test

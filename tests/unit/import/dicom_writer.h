@@ -14,6 +14,13 @@ namespace cutaway::test {
 
 using DicomTag = std::pair<std::uint16_t, std::uint16_t>;
 
+/// 16 bits, as SS or US.
+struct DicomShort {
+  DicomTag tag;
+  int value = 0;
+  bool is_signed = false;
+};
+
 struct DicomSlice {
   std::string series_uid = "1.2.826.1";
   std::string modality = "CT";
@@ -29,6 +36,8 @@ struct DicomSlice {
   std::vector<std::int16_t> stored;  ///< as many as size_px says
   std::map<DicomTag, std::string>
       texts;  ///< further elements of text, or in place of those above; empty: leave it out
+
+  std::vector<DicomShort> shorts;  ///< further elements of numbers
 
   /// Stored values such that the rescaled ones are patient_ramp() at each pixel.
   void fill_with_ramp();
@@ -46,5 +55,19 @@ void transcode(const std::filesystem::path& file, Syntax syntax);
 /// groups. `frame_extras` gives each frame a TemporalPositionIndex above 0, or 0 for none.
 void write_enhanced_dicom(const std::filesystem::path& file, const std::vector<DicomSlice>& frames,
                           const std::vector<std::uint32_t>& temporal_positions = {});
+
+/// `count` slices of a ramp, `step` apart, whose instance numbers run against their places.
+std::vector<DicomSlice> ramp_series(int count, glm::dvec3 first, glm::dvec3 step,
+                                    const DicomSlice& like = {});
+
+/// A 7 x 5 slice of uneven spacing and rescale in that plane; `column` is made square to `row`.
+DicomSlice ramp_slice(glm::dvec3 row, glm::dvec3 column);
+
+std::vector<DicomSlice> with_text(std::vector<DicomSlice> slices, DicomTag tag,
+                                  const std::string& text);
+
+/// A file a slice, in an order of names that is not that of the places.
+void write_series(const std::filesystem::path& folder, const std::vector<DicomSlice>& slices,
+                  const std::string& prefix = "");
 
 }  // namespace cutaway::test

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <numeric>
 
 #include "import/natural_order.h"
 #include "unit/import/import_test_support.h"
+#include "unit/import/picture_writer.h"
 
 namespace cutaway::test {
 namespace {
@@ -72,59 +72,17 @@ TEST(ImageStack, ReadsEightAndSixteenBitsOfBothFormatsInNaturalOrder) {
   }
 }
 
-struct Resolution {
-  std::uint32_t x = 1;
-  std::uint32_t y = 1;
-  std::uint16_t unit = 1;  ///< 1 none, 2 inch, 3 centimetre
-};
-
-/// A classic TIFF of one strip by hand, from the format's definition: 16 bit, in either byte order.
-std::string tiff_bytes(int slice, bool big, const Resolution& resolution,
-                       std::string description = "-") {
-  description.resize(64, '\0');
-  constexpr std::uint32_t kEntries = 13;
-  constexpr std::uint32_t kRationals = 8 + 2 + kEntries * 12 + 4;
-  constexpr std::uint32_t kDescription = kRationals + 16;
-  constexpr std::uint32_t kPixels = kDescription + 64;
-  struct Entry {
-    std::uint16_t tag, type;
-    std::uint32_t count, value;
-  };
-  const std::vector<Entry> entries{{256, 3, 1, 5},
-                                   {257, 3, 1, 4},
-                                   {258, 3, 1, 16},
-                                   {259, 3, 1, 1},
-                                   {262, 3, 1, 1},
-                                   {270, 2, 64, kDescription},
-                                   {273, 4, 1, kPixels},
-                                   {277, 3, 1, 1},
-                                   {278, 3, 1, 4},
-                                   {279, 4, 1, 40},
-                                   {282, 5, 1, kRationals},
-                                   {283, 5, 1, kRationals + 8},
-                                   {296, 3, 1, resolution.unit}};
-  const auto shorts = [&](const std::vector<std::uint16_t>& v) { return bytes_of_numbers(v, big); };
-  const auto longs = [&](const std::vector<std::uint32_t>& v) { return bytes_of_numbers(v, big); };
-  std::string file = (big ? "MM" : "II") + shorts({42}) + longs({8}) + shorts({kEntries});
-  for (const auto& [tag, type, count, value] : entries) {
-    file += shorts({tag, type}) + longs({count});
-    file += type == 3 ? shorts({static_cast<std::uint16_t>(value), 0}) : longs({value});
-  }
-  file += longs({0, resolution.x, 1, resolution.y, 1}) + description;
-  return file + bytes_of_numbers(page<std::uint16_t>(slice), big);
-}
-
-void write_tiffs(const fs::path& folder, bool big, const Resolution& resolution,
-                 const std::string& description = "-") {
+void write_tiffs(const fs::path& folder, TiffPicture picture) {
   for (int k = 0; k < 3; ++k) {
-    write_file(folder / fmt::format("s{}.tif", k), tiff_bytes(k, big, resolution, description));
+    picture.pixels = bytes_of_numbers(page<std::uint16_t>(k), picture.big_endian);
+    write_file(folder / fmt::format("s{}.tif", k), tiff_bytes(picture));
   }
 }
 
 TEST(ImageStack, ReadsTiffInBothByteOrders) {
   for (const bool big : {false, true}) {
     TemporaryFolder folder;
-    write_tiffs(folder.path(), big, {});
+    write_tiffs(folder.path(), {.big_endian = big});
     expect_pages(read_only_volume(folder.path()), 3);
   }
 }
@@ -153,8 +111,9 @@ TEST(ImageStack, ReadsThePagesOfOneTiff) {
 
 TEST(ImageStack, TakesSpacingFromTheResolution) {
   TemporaryFolder folder;
-  write_tiffs(folder / "cm", false, {20, 25, 3});
-  write_tiffs(folder / "inch", true, {254, 127, 2});
+  write_tiffs(folder / "cm", {.resolution = {20, 25}, .resolution_unit = 3});
+  write_tiffs(folder / "inch",
+              {.big_endian = true, .resolution = {254, 127}, .resolution_unit = 2});
   const VolumeSource cm = only_source(folder / "cm", folder.path());
   EXPECT_NEAR(cm.geometry.spacing_mm.x, 0.5, 1e-6);
   EXPECT_NEAR(cm.geometry.spacing_mm.y, 0.4, 1e-6);
@@ -164,7 +123,8 @@ TEST(ImageStack, TakesSpacingFromTheResolution) {
 
 TEST(ImageStack, TakesSpacingFromImageJsDescription) {
   TemporaryFolder folder;
-  write_tiffs(folder.path(), false, {2, 4, 1}, "ImageJ=1.53\nunit=mm\nspacing=2.5\n");
+  write_tiffs(folder.path(),
+              {.resolution = {2, 4}, .description = "ImageJ=1.53\nunit=mm\nspacing=2.5\n"});
   const VolumeSource source = only_source(folder.path(), folder.path());
   EXPECT_EQ(source.geometry.spacing_mm, glm::dvec3(0.5, 0.25, 2.5));
   EXPECT_TRUE(source.description.warnings.empty());
@@ -227,6 +187,46 @@ TEST(ImageStack, ReducesColourAndSaysSo) {
   const Volume volume = read_only_volume(folder.path());
   EXPECT_EQ(value_at(volume, {0, 0, 0}), 100);
   EXPECT_TRUE(has_warning(volume.description, "luminance"));
+}
+
+/// Grey 100 at half opacity is 100, and what alpha hides is there.
+TEST(ImageStack, AlphaDoesNotChangeTheValues) {
+  const std::pair<int, const char*> kinds[]{{2, "the second channel (alpha) was left out"},
+                                            {4, "the fourth channel (alpha) was left out"}};
+  for (const auto& [channels, warning] : kinds) {
+    std::vector<std::uint8_t> pixels;
+    for (int i = 0; i < kSize.x * kSize.y; ++i) {
+      pixels.insert(pixels.end(), static_cast<std::size_t>(channels) - 1, 100);
+      pixels.push_back(i == 0 ? 0 : 128);
+    }
+    OIIO::ImageSpec spec = spec_of<std::uint8_t>(channels);
+    spec.alpha_channel = channels - 1;
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    for (const char* pattern : {"s{}.png", "s{}.tif"}) {
+      TemporaryFolder folder;
+      for (int k = 0; k < 2; ++k)
+        write_picture(folder / fmt::format(fmt::runtime(pattern), k), spec, pixels);
+      const Volume volume = read_only_volume(folder.path());
+      EXPECT_EQ(volume.value_range, (ValueRange{100, 100})) << pattern << channels;
+      EXPECT_TRUE(has_warning(volume.description, warning)) << pattern << channels;
+    }
+  }
+}
+
+TEST(ImageStack, ASidecarThatIsALinkIsNotFollowed) {
+  TemporaryFolder folder;
+  TemporaryFolder elsewhere;
+  write_file(elsewhere / "volume.json", kSidecar);
+  write_stack<std::uint8_t>(folder.path(), "s{}.png", 3, spec_of<std::uint8_t>(1));
+  fs::create_symlink(elsewhere / "volume.json", folder / "volume.json");
+  const Listing listing = scan(folder.path());
+  ASSERT_EQ(listing.refused.size(), 1U);
+  EXPECT_EQ(listing.refused[0].path, folder / "volume.json");
+  ASSERT_EQ(listing.volumes.size(), 1U);
+  const VolumeSource& source = listing.volumes[0];
+  EXPECT_NE(source.description.title, "A head");
+  EXPECT_EQ(source.geometry.spacing_mm, glm::dvec3(1.0));
+  EXPECT_TRUE(has_warning(source.description, "volume.json is a link"));
 }
 
 TEST(ImageStack, OneBrokenPictureRefusesItsStackByName) {

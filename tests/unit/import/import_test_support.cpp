@@ -1,5 +1,6 @@
 #include "unit/import/import_test_support.h"
 
+#include <bzlib.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -66,6 +67,16 @@ std::string read_file(const fs::path& file) {
 
 std::string gzip(std::string_view bytes) { return deflated(bytes, kGzip); }
 std::string zlib(std::string_view bytes) { return deflated(bytes, kZlib); }
+
+std::string bzip2(std::string_view bytes) {
+  std::string input(bytes);
+  std::string result(bytes.size() + bytes.size() / 100 + 600, '\0');  // as bzip2's manual bounds it
+  auto length = static_cast<unsigned>(result.size());
+  BZ2_bzBuffToBuffCompress(result.data(), &length, input.data(),
+                           static_cast<unsigned>(input.size()), 9, 0, 0);
+  result.resize(length);
+  return result;
+}
 
 Listing scan(const fs::path& path) {
   return scan_volumes(path, fs::is_directory(path) ? path : path.parent_path(), {}, {});

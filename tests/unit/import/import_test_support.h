@@ -46,6 +46,7 @@ std::string bytes_of_numbers(const std::vector<T>& numbers, bool big_endian = fa
 
 std::string gzip(std::string_view bytes);
 std::string zlib(std::string_view bytes);
+std::string bzip2(std::string_view bytes);
 
 /// The only volume of a folder or file; fails the test where there is another number or anything
 /// was refused.

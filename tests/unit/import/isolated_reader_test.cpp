@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <thread>
 
 #include "core/error.h"
@@ -223,6 +224,55 @@ TEST(IsolatedScan, ACrashAtOneFileIsRefusedByItsName) {
   EXPECT_EQ(listing.refused[0].path, "/crasher.nii");
   EXPECT_NE(listing.refused[0].reason.find("crashed"), std::string::npos);
   EXPECT_EQ(listing.volumes.size(), 1U);
+}
+
+/// No file is to blame, and another run would end the same way.
+TEST(IsolatedScan, ACrashWhileGroupingIsNoFilesFault) {
+  TemporaryFolder folder;
+  const fs::path script = folder / "worker.sh";
+  const fs::path runs = folder / "runs";
+  write_file(script, "#!/bin/sh\necho run >> '" + runs.string() + "'\nexec " + CUTAWAY_TEST_WORKER +
+                         " crash-at-grouping\n");
+  fs::permissions(script, fs::perms::owner_all);
+  try {
+    scan_volumes_isolated({.executable = script, .arguments = {}}, folder.path(), folder.path(), {},
+                          {});
+    FAIL() << "the crash was passed over";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.detail().field, folder.path().string());
+    EXPECT_NE(error.detail().message.find("crashed (signal 11) while it sorted DICOM slices"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(read_file(runs), "run\n");
+}
+
+/// What a child may take of address space, in KiB, for such a source.
+std::uint64_t granted_kib(const TemporaryFolder& folder, const VolumeSource& source,
+                          const ImportLimits& limits) {
+  const fs::path script = folder / "limit.sh";
+  const fs::path answer = folder / "limit";
+  write_file(script, "#!/bin/sh\nulimit -v > '" + answer.string() + "'\n");
+  fs::permissions(script, fs::perms::owner_all);
+  EXPECT_THROW(
+      read_volume_isolated({.executable = script, .arguments = {}}, source, limits, {}, {}), Error);
+  return std::stoull(read_file(answer));
+}
+
+/// A volume that is one of many in its file: all of them are decoded at once. But a scan that was
+/// taken over cannot open the limit.
+TEST(IsolatedReader, GrantsTheMemoryToDecodeAWholeFile) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the address sanitizer needs an address space without limit";
+#endif
+  TemporaryFolder folder;
+  VolumeSource source = only_source(write_volume(folder), folder.path());
+  const ImportLimits limits{.volume_bytes = 1 << 20};
+  const std::uint64_t alone = granted_kib(folder, source, limits);
+  source.decode_bytes = 512 << 10;
+  EXPECT_EQ(granted_kib(folder, source, limits), alone + 4 * 512);
+  source.decode_bytes = std::numeric_limits<std::uint64_t>::max();
+  EXPECT_EQ(granted_kib(folder, source, limits), alone + 4 * 1024);
 }
 
 TEST(IsolatedScan, AMissingFolderIsAnError) {

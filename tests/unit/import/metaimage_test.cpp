@@ -91,6 +91,29 @@ TEST(MetaImage, ReadsText) {
   expect_ramp_of(folder.path());
 }
 
+TEST(MetaImage, TakesNumbersWithAPlusSign) {
+  std::string bytes = header("LOCAL");
+  bytes.replace(bytes.find("-10 20 35.5"), 11, "-10 +20 +35.5");
+  TemporaryFolder folder;
+  write_file(folder / "a.mha", bytes + ramp_bytes());
+  expect_ramp_of(folder.path());
+}
+
+/// ITK reads arrays as it reads the type of their elements.
+TEST(MetaImage, ReadsArraysLikeTheirElements) {
+  std::string bytes = header("LOCAL");
+  bytes.replace(bytes.find("MET_SHORT"), 9, "MET_SHORT_ARRAY");
+  TemporaryFolder folder;
+  write_file(folder / "a.mha", bytes + ramp_bytes());
+  expect_ramp_of(folder.path());
+  write_file(folder / "a.mha",
+             "NDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 1 1\nElementNumberOfChannels = 2\n"
+             "ElementType = MET_UCHAR_ARRAY\nElementDataFile = LOCAL\nazbzczdzezfzgzhz");
+  const Volume volume = read_only_volume(folder.path());
+  EXPECT_EQ(volume.value_range, (ValueRange{'a', 'h'}));
+  EXPECT_TRUE(has_warning(volume.description, "each voxel has 2 values; the first is shown"));
+}
+
 TEST(MetaImage, TakesModalityRescaleAndUnits) {
   TemporaryFolder folder;
   write_file(folder / "a.mha", header("LOCAL",
@@ -163,6 +186,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"long_axis", "0 1 0 0 0 -1", "0 2 0 0 0 -1", "TransformMatrix"},
         Broken{"skew", "0 1 0 0 0 -1", "0 1 0 0 0.6 -0.8", "right angles"},
         Broken{"type", "MET_SHORT", "MET_STRING", "number type"},
+        Broken{"array_type", "MET_SHORT", "MET_STRING_ARRAY", "MET_STRING_ARRAY"},
         Broken{"absolute_path", "= LOCAL", "= /etc/passwd", "outside of the data folder"},
         Broken{"parent_path", "= LOCAL", "= ../../secret.raw", "outside of the data folder"},
         Broken{"absent_data", "= LOCAL", "= nothing.raw", "not there"},

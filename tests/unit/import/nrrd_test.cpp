@@ -73,8 +73,14 @@ TEST(Nrrd, TakesEachPatientSpaceToLps) {
 
 TEST(Nrrd, ReadsEveryEncoding) {
   const std::pair<const char*, std::string> encodings[]{
-      {"raw", ramp_bytes()},     {"gzip", gzip(ramp_bytes())}, {"gz", gzip(ramp_bytes())},
-      {"ascii", text_of_ramp()}, {"txt", text_of_ramp()},      {"hex", hex_of(ramp_bytes())}};
+      {"raw", ramp_bytes()},
+      {"gzip", gzip(ramp_bytes())},
+      {"gz", gzip(ramp_bytes())},
+      {"bzip2", bzip2(ramp_bytes())},
+      {"bz2", bzip2(ramp_bytes().substr(0, 50)) + bzip2(ramp_bytes().substr(50))},
+      {"ascii", text_of_ramp()},
+      {"txt", text_of_ramp()},
+      {"hex", hex_of(ramp_bytes())}};
   for (const auto& [name, data] : encodings) {
     TemporaryFolder folder;
     write_file(folder / "a.nrrd", header("LPS", {1, 1, 1}, name) + "\n" + data);
@@ -126,6 +132,76 @@ TEST(Nrrd, ReadsSlicesInFilesOfTheirOwn) {
   expect_ramp_of(folder / "pattern.nhdr");
 }
 
+TEST(Nrrd, ReadsSlicesWhoseNumbersFall) {
+  TemporaryFolder folder;
+  for (int k = 0; k < 5; ++k) {
+    write_file(folder / fmt::format("s{:03d}.raw", 12 - 2 * k),
+               ramp_bytes().substr(static_cast<std::size_t>(k) * 24, 24));
+  }
+  write_file(folder / "a.nhdr", header("LPS", {1, 1, 1}, "raw", "data file: s%03d.raw 12 4 -2\n"));
+  expect_ramp_of(folder / "a.nhdr");
+}
+
+TEST(Nrrd, TakesNumbersWithAPlusSign) {
+  std::string text = header("LPS", {1, 1, 1}, "ascii");
+  text.replace(text.find("(-10,20,35.5)"), 13, "(-10,+20,+35.5)");
+  TemporaryFolder folder;
+  write_file(folder / "a.nrrd", text + "\n+" + text_of_ramp());
+  expect_ramp_of(folder.path());
+}
+
+/// The same grid in other units of the space, of which the factors are exact.
+TEST(Nrrd, ScalesSpaceUnitsToMillimetres) {
+  const std::pair<const char*, double> units[]{
+      {"mm", 1}, {"cm", 10}, {"m", 1000}, {"um", 0.001}, {"\xC2\xB5m", 0.001}};
+  for (const auto& [unit, millimetres] : units) {
+    TemporaryFolder folder;
+    write_file(folder / "a.nrrd",
+               header("RAS", glm::dvec3(-1, -1, 1) / millimetres, "raw",
+                      fmt::format("space units: \"{0}\" \"{0}\" \"{0}\"\n", unit)) +
+                   "\n" + ramp_bytes());
+    expect_ramp_of(folder.path());
+  }
+}
+
+TEST(Nrrd, AnUnknownSpaceUnitIsSaidOnce) {
+  TemporaryFolder folder;
+  write_file(folder / "a.nrrd",
+             header("LPS", {1, 1, 1}, "raw", "space units: \"mm\" \"furlong\" \"furlong\"\n") +
+                 "\n" + ramp_bytes());
+  const Volume volume = read_only_volume(folder.path());
+  ASSERT_EQ(volume.description.warnings.size(), 1U);
+  EXPECT_TRUE(has_warning(volume.description, "\"furlong\" is not known; millimetres were taken"));
+  expect_ramp(volume, 1.0);
+}
+
+TEST(Nrrd, SaysWhatItTakesTheDirectionsFor) {
+  const std::pair<std::string, const char*> spaces[]{
+      {"space dimension: 3", "places its voxels in a space without a name"},
+      {"space: scanner-xyz", "places its voxels in the space \"scanner-xyz\""}};
+  for (const auto& [field, words] : spaces) {
+    std::string text = header("LPS", {1, 1, 1}, "raw");
+    text.replace(text.find("space: LPS"), 10, field);
+    TemporaryFolder folder;
+    write_file(folder / "a.nrrd", text + "\n" + ramp_bytes());
+    const Volume volume = read_only_volume(folder.path());
+    EXPECT_TRUE(has_warning(volume.description, words));
+    EXPECT_TRUE(has_warning(volume.description, "taken for the patient's left-posterior-superior"));
+    expect_ramp(volume, 1.0);
+  }
+}
+
+TEST(Nrrd, SaysThatASpaceWithoutDirectionsGivesTheAxes) {
+  TemporaryFolder folder;
+  write_file(folder / "a.nrrd",
+             "NRRD0004\ntype: uchar\ndimension: 3\nspace: RAS\nsizes: 2 2 2\nspacings: 2 3 4\n"
+             "encoding: raw\n\n12345678");
+  const VolumeSource source = only_source(folder.path(), folder.path());
+  EXPECT_TRUE(has_warning(source.description, "i, j, k taken along the axes of its space, RAS"));
+  EXPECT_EQ(source.geometry.direction_patient, glm::dmat3(-1, 0, 0, 0, -1, 0, 0, 0, 1));
+  EXPECT_EQ(source.geometry.spacing_mm, glm::dvec3(2, 3, 4));
+}
+
 TEST(Nrrd, WithoutSpaceWarnsOfIt) {
   TemporaryFolder folder;
   write_file(folder / "a.nrrd",
@@ -145,6 +221,33 @@ TEST(Nrrd, TakesSpacingsWithoutSpace) {
   const VolumeSource source = only_source(folder.path(), folder.path());
   EXPECT_EQ(source.geometry.spacing_mm, glm::dvec3(2, 1, 4));
   EXPECT_TRUE(has_warning(source.description, "no physical geometry"));
+}
+
+TEST(Nrrd, TakesSpacingsInTheirUnits) {
+  TemporaryFolder folder;
+  write_file(folder / "a.nrrd",
+             "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nspacings: 0.2 0.25 4\n"
+             "units: \"cm\" \"cm\" \"\"\nencoding: raw\n\n12345678");
+  EXPECT_EQ(only_source(folder.path(), folder.path()).geometry.spacing_mm, glm::dvec3(2, 2.5, 4));
+}
+
+/// What a scan lists can be read: one byte less is refused at once.
+TEST(Nrrd, AFileThatIsShortByAByteIsNotListed) {
+  std::string hex = hex_of(ramp_bytes());
+  std::erase(hex, '\n');
+  std::string digits = "7";
+  for (int i = 1; i < 60; ++i) digits += " 7";
+  const std::pair<const char*, std::string> wholes[]{
+      {"raw", ramp_bytes()}, {"hex", hex}, {"ascii", digits}};
+  for (const auto& [encoding, data] : wholes) {
+    const std::string text = header("LPS", {1, 1, 1}, encoding) + "\n";
+    TemporaryFolder folder;
+    write_file(folder / "a.nrrd", text + data);
+    EXPECT_EQ(read_failure(only_source(folder.path(), folder.path())), "") << encoding;
+    write_file(folder / "a.nrrd", text + data.substr(0, data.size() - 1));
+    EXPECT_NE(only_refusal(folder.path()).find("shorter than its header says"), std::string::npos)
+        << encoding;
+  }
 }
 
 TEST(Nrrd, ReducesChannelsAndTimesAndSaysSo) {
@@ -206,7 +309,9 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"negative_size", "sizes: 4 3 5", "sizes: 4 -3 5", "empty grid"},
         Broken{"few_sizes", "sizes: 4 3 5", "sizes: 4 3", "dimension and sizes"},
         Broken{"block_type", "type: short", "type: block", "number type"},
-        Broken{"bzip2", "encoding: raw", "encoding: bzip2", "encoding"},
+        Broken{"encoding", "encoding: raw", "encoding: zstd", "gzip or bzip2"},
+        Broken{"few_units", "key:=a value", "space units: \"mm\"", "space units"},
+        Broken{"two_signs", "(-10,20,35.5)", "(-10,+-20,35.5)", "finite"},
         Broken{"no_endian", "endian: little", "content: x", "byte order"},
         Broken{"nan_direction", "(0,1.5,0)", "(0,nan,0)", "finite"},
         Broken{"zero_direction", "(0,1.5,0)", "(0,0,0)", "spacing is not usable"},
@@ -220,6 +325,9 @@ INSTANTIATE_TEST_SUITE_P(
                "outside of the data folder"},
         Broken{"absent_data", "key:=a value", "data file: nothing.raw", "not there"},
         Broken{"string_pattern", "key:=a value", "data file: %s%n 1 2 1", "pattern"},
+        Broken{"rising_pattern_falls", "key:=a value", "data file: s%d.raw 2 1 1", "pattern"},
+        Broken{"falling_pattern_rises", "key:=a value", "data file: s%d.raw 1 2 -1", "pattern"},
+        Broken{"pattern_stands", "key:=a value", "data file: s%d.raw 1 2 0", "pattern"},
         Broken{"endless_pattern", "key:=a value", "data file: s%d.raw 1 2000000000 1", "pattern"}),
     [](const auto& test) { return std::string(test.param.name); });
 
@@ -254,6 +362,10 @@ TEST(Nrrd, BrokenDataFailWithWords) {
   TemporaryFolder folder;
   const std::pair<const char*, std::string> broken[]{
       {"gzip", gzip(ramp_bytes()).substr(0, 40)},
+      {"bzip2", bzip2(ramp_bytes()).substr(0, 40)},
+      {"bzip2", bzip2(ramp_bytes().substr(0, 50))},
+      {"bzip2", "BZh9" + std::string(120, 'x')},
+      {"bzip2", gzip(ramp_bytes())},
       {"ascii", "1 2 3 x 5 " + std::string(120, '7')},
       {"ascii", "1 2 3 99999 5 " + text_of_ramp()},
       {"ascii", "1 2 3 4 5 " + std::string(120, ' ')},

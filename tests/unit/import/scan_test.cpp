@@ -1,3 +1,5 @@
+#include "import/scan.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,9 @@
 
 #include "app/info_command.h"
 #include "core/error.h"
+#include "unit/import/dicom_writer.h"
 #include "unit/import/import_test_support.h"
+#include "unit/import/picture_writer.h"
 
 namespace cutaway::test {
 namespace {
@@ -78,6 +82,65 @@ TEST(Scan, LinksOutOfTheDataFolderAreNotFollowed) {
   ASSERT_EQ(listing.refused.size(), 3U);
   for (const auto& refused : listing.refused)
     EXPECT_NE(refused.reason.find("leads out"), std::string::npos);
+}
+
+TEST(Scan, LinksToSlicesOutOfTheDataFolderAreNotFollowed) {
+  TemporaryFolder folder;
+  TemporaryFolder elsewhere;
+  write_series(elsewhere / "series", ramp_series(3, {0, 0, 0}, {0, 0, 2}));
+  for (const char* name : {"1.png", "2.png"})
+    write_file(elsewhere / "pictures" / name, png_bytes({.pixels = std::string(20, 'v')}));
+  ASSERT_EQ(scan(elsewhere.path()).volumes.size(), 2U);
+  for (const auto& entry : fs::recursive_directory_iterator(elsewhere.path())) {
+    if (entry.is_regular_file())
+      fs::create_symlink(entry.path(), folder / entry.path().filename().string());
+  }
+  const Listing listing = scan(folder.path());
+  EXPECT_TRUE(listing.volumes.empty());
+  ASSERT_EQ(listing.refused.size(), 5U);
+  for (const auto& refused : listing.refused)
+    EXPECT_NE(refused.reason.find("leads out"), std::string::npos);
+}
+
+/// One linked slice among real ones is left out and named.
+TEST(Scan, ALinkedSliceIsNoPartOfASeries) {
+  TemporaryFolder folder;
+  TemporaryFolder elsewhere;
+  write_series(folder.path(), ramp_series(4, {0, 0, 0}, {0, 0, 2}));
+  DicomSlice fifth;
+  fifth.position_mm = {0, 0, 8};
+  fifth.fill_with_ramp();
+  write_dicom(elsewhere / "fifth.dcm", fifth);
+  fs::create_symlink(elsewhere / "fifth.dcm", folder / "fifth.dcm");
+  const Listing listing = scan(folder.path());
+  ASSERT_EQ(listing.volumes.size(), 1U);
+  EXPECT_EQ(listing.volumes[0].geometry.size_voxels.z, 4);
+  ASSERT_EQ(listing.refused.size(), 1U);
+  EXPECT_EQ(listing.refused[0].path, folder / "fifth.dcm");
+}
+
+TEST(Scan, EmptyFilesOfEachFormatAreListed) {
+  for (const char* name : {"a.dcm", "a.ima", "a.nii", "a.nii.gz", "a.hdr", "a.nrrd", "a.nhdr",
+                           "a.mha", "a.mhd", "a.tif", "a.tiff", "a.png"}) {
+    TemporaryFolder folder;
+    write_file(folder / name, "");
+    EXPECT_EQ(only_refusal(folder.path()), "the file is empty") << name;
+  }
+}
+
+TEST(Scan, GroupingIsAStepOfItsOwn) {
+  TemporaryFolder folder;
+  write_series(folder / "dicom", ramp_series(2, {0, 0, 0}, {0, 0, 2}));
+  write_file(folder / "pictures/1.png", png_bytes({.pixels = std::string(20, 'v')}));
+  std::vector<std::string> steps;
+  reading::ScanContext context;
+  context.on_file = [&](const fs::path& file) { steps.push_back(file.extension().string()); };
+  context.on_grouping = [&] { steps.emplace_back("grouping"); };
+  reading::scan_in_context(folder.path(), folder.path(), std::move(context));
+  const auto grouping = std::find(steps.begin(), steps.end(), "grouping");
+  ASSERT_NE(grouping, steps.end());
+  EXPECT_EQ(std::find(grouping, steps.end(), ".dcm"), steps.end());
+  EXPECT_NE(std::find(grouping, steps.end(), ".png"), steps.end());
 }
 
 TEST(Scan, LinksInsideTheDataFolderCountOnce) {

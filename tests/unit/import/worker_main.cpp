@@ -41,6 +41,11 @@ int misbehave(std::string_view mode) {
     say(R"({"file":"/crasher.nii"})");
     crash();
   }
+  if (mode == "crash-at-grouping") {
+    say(R"({"file":"/innocent.dcm"})");
+    say(R"({"grouping":true})");
+    crash();
+  }
   if (mode == "progress-then-hang") {
     say(R"({"progress":["read",0.5]})");
     while (true) pause();

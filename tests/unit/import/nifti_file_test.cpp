@@ -1,209 +1,13 @@
-// Headers are written here field by field from the format's definition, so that the reader is
-// checked against that.
+// The values of a NIfTI file, and files that are none.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "unit/import/import_test_support.h"
+#include "unit/import/nifti_writer.h"
 
 namespace cutaway::test {
 namespace {
-
-const glm::dmat3 kRasToLps(-1, 0, 0, 0, -1, 0, 0, 0, 1);
-
-template <typename T>
-void put(std::string& bytes, std::size_t offset, T number, bool big_endian) {
-  const std::string raw = bytes_of_numbers<T>({number}, big_endian);
-  bytes.replace(offset, raw.size(), raw);
-}
-
-struct NiftiFile {
-  int version = 1;
-  bool big_endian = false;
-  std::string magic = "n+1";
-  std::vector<std::int64_t> dim{4, 5, 6};
-  std::int16_t datatype = 16;
-  std::vector<double> pixdim{1, 1, 1, 1, 1, 1, 1, 1};
-  double slope = 0;
-  double intercept = 0;
-  int units = 2;
-  int qform_code = 0;
-  int sform_code = 1;
-  glm::dvec3 quaternion{0, 0, 0};
-  glm::dvec3 q_offset{0, 0, 0};
-  glm::dmat3 s_steps{1};  ///< RAS
-  glm::dvec3 s_origin{0, 0, 0};
-
-  std::string header() const {
-    std::string bytes(352, '\0');
-    const auto f32 = [&](std::size_t at, double v) {
-      put(bytes, at, static_cast<float>(v), big_endian);
-    };
-    const auto i16 = [&](std::size_t at, std::int64_t v) {
-      put(bytes, at, static_cast<std::int16_t>(v), big_endian);
-    };
-    put<std::int32_t>(bytes, 0, 348, big_endian);
-    i16(40, static_cast<std::int64_t>(dim.size()));
-    for (std::size_t i = 0; i < dim.size(); ++i) i16(42 + 2 * i, dim[i]);
-    i16(70, datatype);
-    for (std::size_t i = 0; i < 8; ++i) f32(76 + 4 * i, pixdim[i]);
-    f32(108, magic[1] == '+' ? 352 : 0);
-    f32(112, slope);
-    f32(116, intercept);
-    bytes[123] = static_cast<char>(units);
-    i16(252, qform_code);
-    i16(254, sform_code);
-    for (int i = 0; i < 3; ++i) f32(256 + 4 * i, quaternion[i]);
-    for (int i = 0; i < 3; ++i) f32(268 + 4 * i, q_offset[i]);
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column)
-        f32(280 + 16 * row + 4 * column, s_steps[column][row]);
-      f32(280 + 16 * row + 12, s_origin[row]);
-    }
-    bytes.replace(344, magic.size(), magic);
-    return bytes;
-  }
-
-  std::string header_2() const {
-    std::string bytes(544, '\0');
-    const auto f64 = [&](std::size_t at, double v) { put(bytes, at, v, big_endian); };
-    put<std::int32_t>(bytes, 0, 540, big_endian);
-    bytes.replace(4, 8, std::string("n+2\0\r\n\032\n", 8));
-    put(bytes, 12, datatype, big_endian);
-    put(bytes, 16, static_cast<std::int64_t>(dim.size()), big_endian);
-    for (std::size_t i = 0; i < dim.size(); ++i) put(bytes, 24 + 8 * i, dim[i], big_endian);
-    for (std::size_t i = 0; i < 8; ++i) f64(104 + 8 * i, pixdim[i]);
-    put<std::int64_t>(bytes, 168, 544, big_endian);
-    f64(176, slope);
-    f64(184, intercept);
-    put<std::int32_t>(bytes, 344, qform_code, big_endian);
-    put<std::int32_t>(bytes, 348, sform_code, big_endian);
-    for (int i = 0; i < 3; ++i) f64(352 + 8 * i, quaternion[i]);
-    for (int i = 0; i < 3; ++i) f64(376 + 8 * i, q_offset[i]);
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column)
-        f64(400 + 32 * row + 8 * column, s_steps[column][row]);
-      f64(400 + 32 * row + 24, s_origin[row]);
-    }
-    put<std::int32_t>(bytes, 500, units, big_endian);
-    return bytes;
-  }
-
-  glm::ivec3 size() const { return {dim[0], dim[1], dim[2]}; }
-
-  /// A ramp over the grid that the sform describes, as floats.
-  std::string ramp_voxels() const {
-    const auto values = ramp_values(size(), kRasToLps * s_steps, kRasToLps * s_origin);
-    return bytes_of_numbers(std::vector<float>(values.begin(), values.end()), big_endian);
-  }
-
-  std::string with(const std::string& voxels) const {
-    return (version == 2 ? header_2() : header()) + voxels;
-  }
-};
-
-/// Rotation about an axis that is none of the patient's, times the spacing.
-glm::dmat3 oblique_steps(glm::dvec3 spacing) {
-  const glm::dvec3 i = glm::normalize(glm::dvec3(0.9, 0.3, -0.2));
-  const glm::dvec3 j = glm::normalize(glm::cross(glm::dvec3(0.1, 0.2, 1.0), i));
-  const glm::dvec3 k = glm::cross(i, j);
-  return {i * spacing.x, j * spacing.y, k * spacing.z};
-}
-
-struct Placement {
-  const char* name;
-  glm::dmat3 steps;
-};
-
-class NiftiPlacement : public testing::TestWithParam<Placement> {};
-
-TEST_P(NiftiPlacement, FollowsTheSformIntoThePatient) {
-  for (const int version : {1, 2}) {
-    for (const bool big_endian : {false, true}) {
-      NiftiFile nifti{.version = version, .big_endian = big_endian};
-      nifti.s_steps = GetParam().steps;
-      nifti.s_origin = {-31.5, 12.25, 40.75};
-      TemporaryFolder folder;
-      write_file(folder / "ramp.nii", nifti.with(nifti.ramp_voxels()));
-      expect_ramp(read_only_volume(folder.path()), 1e-2);
-    }
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Orientations, NiftiPlacement,
-    testing::Values(Placement{"axial", glm::dmat3(1.5, 0, 0, 0, 2.5, 0, 0, 0, 3)},
-                    Placement{"left_handed", glm::dmat3(-1.5, 0, 0, 0, 2.5, 0, 0, 0, 3)},
-                    Placement{"upside_down", glm::dmat3(1.5, 0, 0, 0, 2.5, 0, 0, 0, -3)},
-                    Placement{"coronal", glm::dmat3(1.5, 0, 0, 0, 0, 2.5, 0, 3, 0)},
-                    Placement{"sagittal", glm::dmat3(0, 1.5, 0, 0, 0, -2.5, 3, 0, 0)},
-                    Placement{"oblique", oblique_steps({0.7, 1.1, 2.3})}),
-    [](const auto& test) { return std::string(test.param.name); });
-
-TEST(Nifti, SizeSpacingAndDirectionAreThoseOfTheHeader) {
-  NiftiFile nifti;
-  nifti.s_steps = glm::dmat3(-2, 0, 0, 0, 3, 0, 0, 0, 4);
-  nifti.s_origin = {10, 20, 30};
-  TemporaryFolder folder;
-  write_file(folder / "a.nii", nifti.with(nifti.ramp_voxels()));
-  const Volume volume = read_only_volume(folder.path());
-  EXPECT_EQ(volume.geometry.size_voxels, glm::ivec3(4, 5, 6));
-  EXPECT_EQ(volume.geometry.spacing_mm, glm::dvec3(2, 3, 4));
-  EXPECT_EQ(volume.geometry.origin_patient_mm, glm::dvec3(-10, -20, 30));
-  EXPECT_EQ(volume.geometry.direction_patient, glm::dmat3(1, 0, 0, 0, -1, 0, 0, 0, 1));
-  EXPECT_EQ(volume.description.format, "NIfTI");
-  EXPECT_EQ(volume.description.id, "a.nii");
-  EXPECT_TRUE(volume.description.warnings.empty());
-}
-
-/// A quaternion of 90 degrees about z takes i to +y and j to -x (RAS); qfac = -1 turns k round.
-TEST(Nifti, FollowsTheQformWhereThereIsNoSform) {
-  NiftiFile nifti;
-  nifti.sform_code = 0;
-  nifti.qform_code = 1;
-  nifti.pixdim = {-1, 2, 3, 4, 0, 0, 0, 0};
-  nifti.quaternion = {0, 0, std::sqrt(0.5)};
-  nifti.q_offset = {7, 8, 9};
-  nifti.s_steps = glm::dmat3(0, 2, 0, -3, 0, 0, 0, 0, -4);
-  nifti.s_origin = {7, 8, 9};
-  TemporaryFolder folder;
-  write_file(folder / "q.nii", nifti.with(nifti.ramp_voxels()));
-  const Volume volume = read_only_volume(folder.path());
-  expect_ramp(volume, 1e-2);
-  EXPECT_NEAR(volume.geometry.spacing_mm.z, 4, 1e-9);
-}
-
-TEST(Nifti, PrefersTheSform) {
-  NiftiFile nifti;
-  nifti.qform_code = 1;
-  nifti.quaternion = {1, 0, 0};
-  nifti.s_steps = glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, 5);
-  TemporaryFolder folder;
-  write_file(folder / "both.nii", nifti.with(nifti.ramp_voxels()));
-  expect_ramp(read_only_volume(folder.path()), 1e-2);
-}
-
-TEST(Nifti, WithoutAnyTransformWarns) {
-  NiftiFile nifti;
-  nifti.sform_code = 0;
-  nifti.pixdim = {1, 2, 3, 4, 0, 0, 0, 0};
-  TemporaryFolder folder;
-  write_file(folder / "none.nii", nifti.with(nifti.ramp_voxels()));
-  const Volume volume = read_only_volume(folder.path());
-  EXPECT_EQ(volume.geometry.spacing_mm, glm::dvec3(2, 3, 4));
-  EXPECT_TRUE(has_warning(volume.description, "neither sform nor qform"));
-}
-
-TEST(Nifti, ConvertsMetresAndMicrometres) {
-  for (const auto& [units, expected] : {std::pair(1, 2000.0), std::pair(3, 0.002)}) {
-    NiftiFile nifti{.units = units};
-    nifti.s_steps = glm::dmat3(2, 0, 0, 0, 2, 0, 0, 0, 2);
-    TemporaryFolder folder;
-    write_file(folder / "u.nii", nifti.with(nifti.ramp_voxels()));
-    EXPECT_NEAR(only_source(folder.path(), folder.path()).geometry.spacing_mm.x, expected, 1e-9);
-  }
-}
 
 TEST(Nifti, ReadsGzipAlsoOfSeveralMembers) {
   NiftiFile nifti;
@@ -224,6 +28,40 @@ TEST(Nifti, ReadsHeaderAndImagePairs) {
   const VolumeSource source = only_source(folder.path(), folder.path());
   EXPECT_EQ(source.files.size(), 2U);
   expect_ramp(read(source), 1e-2);
+}
+
+TEST(Nifti, AnOffsetOfZeroMeansTheFirstPlaceForVoxels) {
+  for (const int version : {1, 2}) {
+    NiftiFile nifti{.version = version, .voxel_offset = 0};
+    TemporaryFolder folder;
+    write_file(folder / "zero.nii", nifti.with(nifti.ramp_voxels()));
+    expect_ramp(read_only_volume(folder.path()), 1e-2);
+  }
+}
+
+TEST(Nifti, VoxelsMayLieFurtherBehindTheHeader) {
+  for (const int version : {1, 2}) {
+    NiftiFile nifti{.version = version, .voxel_offset = 1000};
+    std::string bytes = nifti.header();
+    bytes.resize(1000);
+    TemporaryFolder folder;
+    write_file(folder / "far.nii", bytes + nifti.ramp_voxels());
+    expect_ramp(read_only_volume(folder.path()), 1e-2);
+  }
+}
+
+TEST(Nifti, AnImageThatLinksOutOfTheDataFolderIsRefused) {
+  NiftiFile nifti;
+  nifti.magic = "ni1";
+  TemporaryFolder folder;
+  TemporaryFolder elsewhere;
+  write_file(elsewhere / "secret.img", nifti.ramp_voxels());
+  write_file(folder / "pair.hdr", nifti.header().substr(0, 348));
+  std::filesystem::create_symlink(elsewhere / "secret.img", folder / "pair.img");
+  const Listing listing = scan(folder / "pair.hdr");
+  EXPECT_TRUE(listing.volumes.empty());
+  ASSERT_EQ(listing.refused.size(), 1U);
+  EXPECT_NE(listing.refused[0].reason.find("outside of the data folder"), std::string::npos);
 }
 
 TEST(Nifti, HeaderWithoutItsImageIsRefused) {
@@ -296,17 +134,6 @@ TEST(Nifti, ReducesColourToLuminanceAndSaysSo) {
   EXPECT_TRUE(has_warning(volume.description, "luminance"));
 }
 
-TEST(Nifti, ShearedGridIsResampledAndSaysSo) {
-  NiftiFile nifti{.dim = {12, 12, 8}};
-  nifti.s_steps = glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0.6, 2);
-  TemporaryFolder folder;
-  write_file(folder / "sheared.nii", nifti.with(nifti.ramp_voxels()));
-  const Volume volume = read_only_volume(folder.path());
-  EXPECT_TRUE(has_warning(volume.description, "resampled"));
-  EXPECT_NEAR(volume.geometry.spacing_mm.z, 2, 1e-6);
-  expect_ramp(volume, 1e-2, 0.4);
-}
-
 TEST(Nifti, VoxelsThatAreNoNumbersAreReplacedAndCounted) {
   NiftiFile nifti{.dim = {2, 2, 2}};
   const float nan = std::nanf("");
@@ -374,6 +201,27 @@ INSTANTIATE_TEST_SUITE_P(
                  NiftiFile nifti{.dim = {1000, 1000, 1000}, .datatype = 4};
                  return gzip(nifti.with(std::string(1000, '\0')));
                },
+               "shorter than its header says"},
+        // The header's own bytes are no voxels.
+        Broken{"offset_in_header", [] { return changed([](auto& n) { n.voxel_offset = 16; }); },
+               "got 16"},
+        Broken{"offset_before_extensions",
+               [] { return changed([](auto& n) { n.voxel_offset = 351; }); },
+               "expected 0, or from 352 bytes on"},
+        Broken{"offset_in_header_2",
+               [] {
+                 return changed([](auto& n) {
+                   n.version = 2;
+                   n.voxel_offset = 540;
+                 });
+               },
+               "expected 0, or from 544 bytes on"},
+        Broken{"negative_offset", [] { return changed([](auto& n) { n.voxel_offset = -4; }); },
+               "got -4"},
+        Broken{"nan_offset", [] { return changed([](auto& n) { n.voxel_offset = NAN; }); },
+               "vox_offset"},
+        Broken{"offset_beyond_the_file",
+               [] { return changed([](auto& n) { n.voxel_offset = 1e6; }); },
                "shorter than its header says"},
         Broken{"negative_extent", [] { return changed([](auto& n) {
                                          n.dim = {-4, 5, 6};

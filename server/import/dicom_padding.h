@@ -1,0 +1,38 @@
+// Stored values that stand for "no pixel here", as around a CT's round field of view.
+// Source: DICOM PS3.3, C.7.5.1.1.2 "Pixel Padding Value and Pixel Padding Range Limit".
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "import/raw_voxels.h"
+
+namespace gdcm {
+class DataSet;
+}
+
+namespace cutaway::reading {
+
+/// Both ends belong to it; before any rescale.
+struct PixelPadding {
+  double lowest = 0.0;
+  double highest = 0.0;
+
+  bool contains(double stored) const { return stored >= lowest && stored <= highest; }
+};
+
+/// Nothing where the image declares none.
+std::optional<PixelPadding> pixel_padding(const gdcm::DataSet& data);
+
+/// Which voxels of a volume are padding; empty where no image of it declares any.
+using PaddingMask = std::vector<bool>;
+
+/// Gives the padding the smallest real value among the other voxels, so that it does not widen the
+/// value range; returns how many there were. A negative slope makes the largest number the smallest
+/// value. Throws Error naming `file` where all of the volume is padding.
+std::size_t replace_padding(const std::filesystem::path& file, const PaddingMask& padding,
+                            double slope, RawVoxels& voxels);
+
+}  // namespace cutaway::reading
