@@ -35,8 +35,12 @@ void add_render(CLI::App& app) {
   render->add_option("--volume", command->volume,
                      "phantom:NAME[@SIZE], a file or a folder; PATH#ID for one of several");
   render
-      ->add_option_function<std::string>(
-          "--size", [command](const auto& text) { command->size = parse_picture_size(text); },
+      ->add_option(
+          "--size",
+          [command](const CLI::results_t& words) {
+            command->size = parse_picture_size(words.at(0));
+            return true;
+          },
           "Picture size in pixels")
       ->type_name("WIDTHxHEIGHT")
       ->check(valid_size);

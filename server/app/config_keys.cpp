@@ -64,7 +64,8 @@ std::vector<ConfigKey> server_keys() {
            1024, 1 << 30, [](Config & c) -> auto& { return c.net.dropped_message_bytes; })},
       {"server", "queued_text_bytes",
        integer(
-           64 * 1024, kTera, [](Config & c) -> auto& { return c.net.queued_text_bytes; })},
+           std::int64_t{64} * 1024, kTera,
+           [](Config & c) -> auto& { return c.net.queued_text_bytes; })},
       {"server", "send_buffer_bytes",
        integer(
            0, 1 << 30, [](Config & c) -> auto& { return c.net.send_buffer_bytes; })},

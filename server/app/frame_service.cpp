@@ -136,8 +136,8 @@ std::string FrameService::trouble() const {
 
 UploadTarget FrameService::upload_target() {
   return {.largest_edge_voxels = renderer_->info().largest_edge_voxels,
-          .upload = [this](const auto& volume, const auto& progress, std::stop_token stop) {
-            renderer_->upload(volume, progress, std::move(stop));
+          .upload = [this](const auto& volume, const auto& progress, const std::stop_token& stop) {
+            renderer_->upload(volume, progress, stop);
           }};
 }
 

@@ -14,7 +14,7 @@ struct UploadTarget {
   int largest_edge_voxels = 0;  ///< of a volume that the renderer can hold
   /// Returns once the volume can be drawn. Throws Error, or Cancelled when stopped. Thread-safe.
   std::function<void(const std::shared_ptr<const LoadedVolume>&, const ProgressSink&,
-                     std::stop_token)>
+                     const std::stop_token&)>
       upload;
 };
 

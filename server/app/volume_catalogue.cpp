@@ -21,8 +21,8 @@ namespace {
 CatalogueEntry phantom_entry(const PhantomRequest& request) {
   return {.description = describe_phantom(request),
           .geometry = phantom_geometry(request),
-          .read = [request](const ProgressSink& progress, std::stop_token stop) {
-            return make_phantom(request, progress, std::move(stop));
+          .read = [request](const ProgressSink& progress, const std::stop_token& stop) {
+            return make_phantom(request, progress, stop);
           }};
 }
 

@@ -2,6 +2,7 @@
 
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <exception>
 #include <utility>
 
 namespace cutaway {
@@ -12,7 +13,7 @@ void run_guarded(const std::function<void()>& work, const AsioStrand::Failed& fa
   try {
     work();
   } catch (const std::exception& failure) {
-    failed(failure);
+    failed(failure.what());
   }
 }
 

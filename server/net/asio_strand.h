@@ -3,7 +3,6 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/strand.hpp>
-#include <exception>
 #include <functional>
 #include <memory>
 
@@ -15,9 +14,9 @@ class AsioStrand final : public Strand {
  public:
   using Executor = boost::asio::strand<boost::asio::io_context::executor_type>;
 
-  using Failed = std::function<void(const std::exception&)>;
+  using Failed = std::function<void(const char* what)>;
 
-  /// `failed` hears, on the strand, of each exception that work or an alarm let out.
+  /// `failed` hears, on the strand, what each exception says that work or an alarm let out.
   AsioStrand(Executor executor, Failed failed);
 
   TimePoint now() const override;

@@ -36,7 +36,7 @@ bool is_ordinary_end(const error_code& error) {
 
 }  // namespace
 
-WebSocket::WebSocket(beast::tcp_stream&& stream, AsioStrand::Executor strand,
+WebSocket::WebSocket(beast::tcp_stream&& stream, const AsioStrand::Executor& strand,
                      const NetSettings& settings)
     : stream_(std::move(stream)),
       executor_(strand),
@@ -82,15 +82,16 @@ asio::awaitable<void> WebSocket::serve(HttpRequest request, SessionFactory make_
 
 void WebSocket::start_session(const SessionFactory& make_session) {
   try {
-    session_ = make_session(
-        std::make_shared<AsioStrand>(executor_,
-                                     [weak = weak_from_this()](const std::exception& failure) {
-                                       if (const auto self = weak.lock()) self->fail(failure);
-                                     }),
-        *this);
+    session_ =
+        make_session(std::make_shared<AsioStrand>(executor_,
+                                                  [weak = weak_from_this()](const char* what) {
+                                                    if (const auto self = weak.lock())
+                                                      self->fail(what);
+                                                  }),
+                     *this);
     session_->start();
   } catch (const std::exception& failure) {
-    fail(failure);
+    fail(failure.what());
   }
 }
 
@@ -140,7 +141,7 @@ Session::Reception WebSocket::deliver() {
   try {
     return hand_to_session();
   } catch (const std::exception& failure) {
-    fail(failure);
+    fail(failure.what());
     return Session::Reception::taken;
   }
 }
@@ -238,8 +239,8 @@ void WebSocket::begin_close(const websocket::close_reason& reason) {
 }
 
 // The session may be in any state now: it goes, and the client hears why in the closing handshake.
-void WebSocket::fail(const std::exception& failure) {
-  log().error("a session failed and is closed: {}", failure.what());
+void WebSocket::fail(const char* what) {
+  log().error("a session failed and is closed: {}", what);
   session_.reset();
   begin_close({websocket::close_code::internal_error, "the server failed at this session"});
 }

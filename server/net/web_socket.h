@@ -26,7 +26,7 @@ using SessionFactory =
 /// touched.
 class WebSocket final : public ClientSink, public std::enable_shared_from_this<WebSocket> {
  public:
-  WebSocket(boost::beast::tcp_stream&& stream, AsioStrand::Executor strand,
+  WebSocket(boost::beast::tcp_stream&& stream, const AsioStrand::Executor& strand,
             const NetSettings& settings);
 
   /// Completes the upgrade and serves the session until the connection ends. Throws nothing.
@@ -59,7 +59,7 @@ class WebSocket final : public ClientSink, public std::enable_shared_from_this<W
   void begin_close(const boost::beast::websocket::close_reason& reason);
   void start_write_deadline();
   void stop_write_deadline();
-  void fail(const std::exception& failure);
+  void fail(const char* what);
   void end();
 
   Stream stream_;
