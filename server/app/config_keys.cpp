@@ -103,6 +103,9 @@ std::vector<ConfigKey> session_keys() {
       {"session", "still_supersampling",
        integer(
            1, 2, [](Config & c) -> auto& { return c.session.still_supersampling; })},
+      {"session", "still_rays",
+       integer(
+           1, kTera, [](Config & c) -> auto& { return c.session.still_rays; })},
       {"session", "viewport_side_px",
        integer(
            1, 8192, [](Config & c) -> auto& { return c.session.viewport_side_px; })},

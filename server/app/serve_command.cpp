@@ -1,5 +1,6 @@
 #include "app/serve_command.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdio>
@@ -17,6 +18,10 @@ namespace cutaway {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// One client's still frame holds up everybody else's frames for as long as it takes: about half a
+/// second on two cores.
+constexpr std::int64_t kStillRaysInSoftware = 2'100'000;
 
 /// The parts of a running server. The listener comes first, so that an address that cannot be had
 /// is said at once; nobody is answered before run. What is declared later is destroyed earlier:
@@ -88,6 +93,8 @@ Serving::Serving(const Config& config)
   volumes_ = std::make_unique<VolumeService>(with_reader(config.volumes), frames_->upload_target());
   const RendererDescription renderer = frames_->describe();
   say_renderer(renderer);
+  if (renderer.software)
+    session_settings_.still_rays = std::min(session_settings_.still_rays, kStillRaysInSoftware);
   capabilities_ = std::make_shared<const std::string>(capabilities_text(config, renderer));
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "gl/device_memory.h"
 
 namespace cutaway::gl {
 
@@ -30,7 +31,7 @@ void PixelReadback::reserve(std::size_t bytes) {
   const auto size = static_cast<GLsizeiptr>(bytes);
   glNamedBufferStorage(name, size, nullptr, kMapping | GL_CLIENT_STORAGE_BIT);
   mapped_ = static_cast<const std::uint8_t*>(glMapNamedBufferRange(name, 0, size, kMapping));
-  check(mapped_ != nullptr, "read-back buffer is mapped");
+  if (mapped_ == nullptr) throw_out_of_memory("reading a picture back");
   capacity_ = bytes;
 }
 

@@ -1,5 +1,7 @@
 #include "gl/texture.h"
 
+#include "gl/device_memory.h"
+
 namespace cutaway::gl {
 
 namespace {
@@ -21,11 +23,13 @@ TextureHandle create_texture(GLenum target, Filtering filtering) {
 Texture2D::Texture2D(GLenum internal_format, glm::ivec2 size_px, Filtering filtering)
     : handle_(create_texture(GL_TEXTURE_2D, filtering)), size_px_(size_px) {
   glTextureStorage2D(name(), 1, internal_format, size_px.x, size_px.y);
+  throw_if_out_of_memory("a picture");
 }
 
 Texture3D::Texture3D(GLenum internal_format, glm::ivec3 size_texels, Filtering filtering)
     : handle_(create_texture(GL_TEXTURE_3D, filtering)), size_texels_(size_texels) {
   glTextureStorage3D(name(), 1, internal_format, size_texels.x, size_texels.y, size_texels.z);
+  throw_if_out_of_memory("a volume");
 }
 
 void Texture3D::upload_slices(int first, int count, GLenum format, GLenum type, const void* data) {

@@ -100,7 +100,8 @@ FrameRequest FrameFlow::request(FrameKind kind) const {
   return {.view = view_,
           .revision = newest_.revision,
           .scene = newest_.scene,
-          .quality = kind == FrameKind::still ? quality_.still() : quality_.interactive()};
+          .quality = kind == FrameKind::still ? quality_.still(newest_.scene->viewport)
+                                              : quality_.interactive()};
 }
 
 void FrameFlow::came_back(std::uint64_t id, FrameOutcome outcome) {

@@ -18,9 +18,13 @@ const std::vector<StepControl::Step> kCompressionSteps = {
 
 }  // namespace
 
-FrameQuality still_quality(const SessionSettings& settings) {
+FrameQuality still_quality(const SessionSettings& settings, Viewport viewport) {
   FrameQuality quality;
+  const std::int64_t pixels = std::int64_t{viewport.width_px} * viewport.height_px;
   quality.supersampling = settings.still_supersampling;
+  while (quality.supersampling > 1 &&
+         pixels * quality.supersampling * quality.supersampling > settings.still_rays)
+    --quality.supersampling;
   quality.jpeg_quality = settings.still_jpeg_quality;
   quality.chroma = ChromaSampling::yuv444;
   quality.still = true;

@@ -9,7 +9,8 @@
 namespace cutaway {
 
 /// The refined picture of a scene at rest.
-FrameQuality still_quality(const SessionSettings& settings);
+/// For a picture of that size.
+FrameQuality still_quality(const SessionSettings& settings, Viewport viewport);
 
 /// Render time governs resolution. The link governs JPEG quality, then the frame rate, and
 /// resolution once quality is at its lowest. The still quality is fixed.
@@ -22,7 +23,7 @@ class QualityControl {
                     Milliseconds round_trip);
 
   FrameQuality interactive() const;
-  FrameQuality still() const { return still_quality(settings_); }
+  FrameQuality still(Viewport viewport) const { return still_quality(settings_, viewport); }
   /// The least time between two interactive frames that keeps them from queueing on the link.
   Milliseconds interval() const;
 

@@ -90,8 +90,8 @@ void Session::handle(const AckMessage& message) { flow_.acknowledge(message.fram
 void Session::handle(const SaveStillMessage& message) {
   check_size(message.width_px, message.height_px);
   shown_scene();
-  stills_.save({message.request, {message.width_px, message.height_px}}, snapshot(),
-               still_quality(settings_));
+  const Viewport size{message.width_px, message.height_px};
+  stills_.save({message.request, size}, snapshot(), still_quality(settings_, size));
 }
 
 void Session::handle(const PreviewMessage& message) {

@@ -12,7 +12,8 @@ struct SessionSettings {
   Milliseconds frame_budget{33.0};  ///< what an interactive frame may take to render and to travel
   Milliseconds rest{200.0};         ///< without input, before the still frame
   int still_jpeg_quality = 92;
-  int still_supersampling = 2;
+  int still_supersampling = 2;          ///< rays a pixel, each way, where still_rays allows it
+  std::int64_t still_rays = 8'400'000;  ///< of a still frame: a larger one gets fewer a pixel
   int viewport_side_px = 4096;
   std::int64_t viewport_pixels = std::int64_t{4096} * 2304;
   double messages_per_second = 300.0;

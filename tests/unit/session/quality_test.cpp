@@ -137,12 +137,18 @@ TEST_F(QualityControlTest, BeginsAtFullResolution) {
 }
 
 TEST_F(QualityControlTest, StillIsFullResolutionSupersampledAtQuality92WithFullChroma) {
-  const FrameQuality still = quality.still();
+  const FrameQuality still = quality.still({640, 480});
   EXPECT_EQ(still.resolution_scale, 1.0);
   EXPECT_EQ(still.supersampling, 2);
   EXPECT_EQ(still.jpeg_quality, 92);
   EXPECT_EQ(still.chroma, ChromaSampling::yuv444);
   EXPECT_TRUE(still.still);
+}
+
+TEST_F(QualityControlTest, AStillTooLargeForItsRaysGetsFewerAPixelButEveryPixel) {
+  EXPECT_EQ(quality.still({1920, 1080}).supersampling, 2);
+  EXPECT_EQ(quality.still({3840, 2160}).supersampling, 1);
+  EXPECT_EQ(quality.still({3840, 2160}).resolution_scale, 1.0);
 }
 
 TEST_F(QualityControlTest, SlowRenderingLowersResolutionOnly) {
@@ -155,7 +161,7 @@ TEST_F(QualityControlTest, SlowRenderingLowersResolutionOnly) {
 }
 
 TEST_F(QualityControlTest, AStillFrameDoesNotCountAsInteractive) {
-  for (int i = 0; i < 20; ++i) quality.rendered(quality.still(), Milliseconds(2000.0));
+  for (int i = 0; i < 20; ++i) quality.rendered(quality.still({640, 480}), Milliseconds(2000.0));
   EXPECT_EQ(quality.interactive().resolution_scale, 1.0);
 }
 
