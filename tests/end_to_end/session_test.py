@@ -230,7 +230,7 @@ class InteractionTest(ServedTest):
         client = self.showing()
         styles = client.texts[0]["styles"]
         for shade, style in enumerate(styles):
-            client.scene(style["scene"] | {"background": {"colour": [0, 0, 0.1 + 0.05 * shade]}})
+            client.scene(style["scene"] | {"background": {"colour": [0, 0, (shade + 1) / len(styles)]}})
             client.rest()
         self.assertFalse([text for text in client.texts if text["type"] == "error"])
 
