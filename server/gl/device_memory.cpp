@@ -8,8 +8,10 @@
 
 namespace cutaway::gl {
 
+bool ran_out_of_memory() { return glGetError() == GL_OUT_OF_MEMORY; }
+
 void throw_if_out_of_memory(const char* what) {
-  if (glGetError() == GL_OUT_OF_MEMORY) throw_out_of_memory(what);
+  if (ran_out_of_memory()) throw_out_of_memory(what);
 }
 
 void throw_out_of_memory(const char* what) {

@@ -29,7 +29,6 @@ Texture2D::Texture2D(GLenum internal_format, glm::ivec2 size_px, Filtering filte
 Texture3D::Texture3D(GLenum internal_format, glm::ivec3 size_texels, Filtering filtering)
     : handle_(create_texture(GL_TEXTURE_3D, filtering)), size_texels_(size_texels) {
   glTextureStorage3D(name(), 1, internal_format, size_texels.x, size_texels.y, size_texels.z);
-  throw_if_out_of_memory("a volume");
 }
 
 void Texture3D::upload_slices(int first, int count, GLenum format, GLenum type, const void* data) {

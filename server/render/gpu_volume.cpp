@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "gl/device_memory.h"
 #include "render/texture_limit.h"
 
 namespace cutaway {
@@ -29,7 +30,7 @@ VoxelFormat voxel_format(const Voxels& voxels) {
 
 // A device says so once, at the call that it could not serve.
 void check_device_memory() {
-  if (glGetError() != GL_OUT_OF_MEMORY) return;
+  if (!gl::ran_out_of_memory()) return;
   throw Error({.code = "too-large",
                .message = "the renderer has not enough memory for this volume",
                .field = "/volume"});
