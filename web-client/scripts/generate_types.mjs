@@ -30,30 +30,40 @@ async function writeTypes() {
   await writeFile(`${outputFolder}protocol.ts`, types);
 }
 
-/** What a control needs to know of one field. */
-function fieldFacts(schema) {
+/** What a control needs to know of one field; of a point, what holds for each of its numbers. */
+function fieldFacts(schema, definitions) {
+  const point = schema.$ref === '#/definitions/position_mm' ? definitions.position_mm.items : {};
+  const number = { ...point, ...schema };
   const facts = {
     choices: schema.enum,
-    minimum: schema.minimum,
-    maximum: schema.maximum,
-    step: schema['x-step'],
-    unit: schema['x-unit'],
+    minimum: number.minimum,
+    maximum: number.maximum,
+    step: number['x-step'],
+    unit: number['x-unit'],
+    default: schema.default,
     description: schema.description,
   };
   return Object.fromEntries(Object.entries(facts).filter(([, value]) => value !== undefined));
 }
 
+const readSchema = async (name) =>
+  JSON.parse(await readFile(`${schemaFolder}${name}.schema.json`, 'utf8'));
+
 async function writeSceneFields() {
-  const scene = JSON.parse(await readFile(`${schemaFolder}scene.schema.json`, 'utf8'));
+  const [scene, client] = await Promise.all(['scene', 'client-message'].map(readSchema));
   const fields = {};
   for (const group of ['camera', 'surface', 'lens', 'light', 'background']) {
     for (const [name, schema] of Object.entries(scene.definitions[group].properties)) {
-      fields[`${group}.${name}`] = fieldFacts(schema);
+      fields[`${group}.${name}`] = fieldFacts(schema, scene.definitions);
     }
   }
   fields['filters'] = { maximum: scene.definitions.filters.maxItems };
-  const text = `${BANNER}export const SCENE_FIELDS = ${JSON.stringify(fields, null, 2)} as const;\n`;
-  await writeFile(`${outputFolder}scene_fields.ts`, text);
+  const side = fieldFacts(client.definitions.preview_side_px, {});
+  const constants = { SCENE_FIELDS: fields, PREVIEW_SIDE_PX: side };
+  const lines = Object.entries(constants).map(
+    ([name, value]) => `export const ${name} = ${JSON.stringify(value, null, 2)} as const;\n`,
+  );
+  await writeFile(`${outputFolder}scene_fields.ts`, BANNER + lines.join(''));
 }
 
 await mkdir(outputFolder, { recursive: true });

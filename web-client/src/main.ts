@@ -3,6 +3,7 @@ import './styles/theme.css';
 import './icons/register.ts';
 import { CutawayApp } from './components/app.ts';
 import { isPhone } from './components/phone.ts';
+import { observeHeldPointer } from './interaction/held_pointer.ts';
 import { keepSceneInAddress } from './session/address_bar.ts';
 import { openViewerSession } from './session/viewer_session.ts';
 import { webSocketUrl } from './stream/stream.ts';
@@ -22,6 +23,7 @@ const canvas = document.createElement('canvas');
 const session = openViewerSession(canvas, webSocketUrl(location), saveFile);
 if (isPhone()) session.store.update({ panel_open: false });
 keepSceneInAddress(session);
+observeHeldPointer((pointer_held) => session.store.update({ pointer_held }));
 
 const app = new CutawayApp();
 app.session = session;

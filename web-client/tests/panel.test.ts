@@ -4,15 +4,13 @@ import { readable, roundStep } from '../src/state/controls.ts';
 import { filterListModel } from '../src/state/filter_model.ts';
 import { moduleModel } from '../src/state/module_model.ts';
 import {
-  isoValueControl,
-  lensRadiusControl,
   lightControls,
   projectionControl,
   sceneChoiceControl,
 } from '../src/state/scene_controls.ts';
 import { KEY_BINDINGS } from '../src/interaction/keyboard.ts';
-import { withinLimits } from '../src/interaction/viewport_size.ts';
-import { capabilities, sceneMessage, volume } from './capabilities.ts';
+import { deviceSize, withinLimits } from '../src/interaction/viewport_size.ts';
+import { capabilities, sceneMessage } from './capabilities.ts';
 
 const { scene } = sceneMessage;
 const { shading, filter } = capabilities.modules;
@@ -83,41 +81,27 @@ describe('the list of filters', () => {
       focus: { filters: [{ name: 'lines' }, { name: 'blur', radius: 5 }] },
     });
     expect(lines?.later).toBeUndefined();
-    expect(model.additions.map(({ title }) => title)).toEqual(['Blur', 'Lines']);
-    expect(model.additions[1]?.patch).toMatchObject({
-      focus: { filters: [{ name: 'blur' }, { name: 'lines' }, { name: 'lines' }] },
+  });
+
+  it('offers what is not there yet, for the server refuses a filter twice', () => {
+    expect(model.additions).toEqual([]);
+    const one = { focus: { filters: [{ name: 'lines' }] } } as unknown as Scene;
+    const { additions } = filterListModel('focus', filter, one);
+    expect(additions.map(({ title }) => title)).toEqual(['Blur']);
+    expect(additions[0]?.patch).toEqual({
+      focus: { filters: [{ name: 'lines' }, { name: 'blur' }] },
     });
   });
 
   it('offers nothing more once it is full', () => {
     const full = {
-      focus: { filters: Array.from({ length: 8 }, () => ({ name: 'blur' })) },
+      focus: { filters: Array.from({ length: 8 }, () => ({ name: 'lines' })) },
     } as unknown as Scene;
     expect(filterListModel('focus', filter, full).additions).toEqual([]);
   });
 });
 
 describe('the scene’s own controls', () => {
-  it('take the iso-value’s range and unit from the volume', () => {
-    expect(isoValueControl('focus', scene, volume)).toMatchObject({
-      value: 300,
-      minimum: -1000,
-      maximum: 3000,
-      step: 10,
-      unit: 'HU',
-    });
-    expect(isoValueControl('context', {}, volume).value).toBe(-200);
-  });
-
-  it('bound the lens by the volume', () => {
-    expect(lensRadiusControl(scene, volume)).toMatchObject({
-      value: 30,
-      minimum: 0,
-      maximum: 45,
-      unit: 'mm',
-    });
-  });
-
   it('take choices from the schema', () => {
     const control = sceneChoiceControl('lens.cap', 'Cut surfaces', scene);
     expect(control.choices.map(({ value }) => value)).toEqual(['flat', 'gradient', 'open']);
@@ -145,6 +129,15 @@ describe('small rules', () => {
     expect(roundStep(0, 1)).toBe(0.001);
     expect(roundStep(-1000, 3000)).toBe(10);
     expect(roundStep(5, 5)).toBeGreaterThan(0);
+  });
+
+  it('count device pixels exactly where the browser can, and never CSS pixels instead', () => {
+    const css = { width: 100.3, height: 50.2 };
+    const exact = { width_px: 151, height_px: 75 };
+    expect(deviceSize(css, exact, 1.5)).toBe(exact);
+    expect(deviceSize(css, undefined, 1.5)).toEqual({ width_px: 150, height_px: 75 });
+    const emulated = { width_px: 100, height_px: 50 };
+    expect(deviceSize(css, emulated, 2)).toEqual({ width_px: 201, height_px: 100 });
   });
 
   it('keep a viewport’s shape within the server’s limits', () => {

@@ -72,6 +72,13 @@ describe('the frame header', () => {
     });
   });
 
+  it('tells a preview, whose frame number is its request', () => {
+    expect(decodeFrame(frameBytes({ type: 3, frame: 12 })).header).toMatchObject({
+      type: 'preview',
+      frame: 12,
+    });
+  });
+
   it('is refused where it is no frame or not a whole one', () => {
     const other_magic = frameBytes();
     new Uint8Array(other_magic).set([0], 0);

@@ -1,84 +1,8 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import type { ClientMessage, ServerMessage, SceneMessage } from '../src/protocol/messages.ts';
-import { ViewerSession } from '../src/session/viewer_session.ts';
+import type { SceneMessage } from '../src/protocol/messages.ts';
 import { sceneToAddress } from '../src/state/scene_address.ts';
-import type { FromWorker, ShownFrame } from '../src/stream/worker_messages.ts';
 import { capabilities, sceneMessage } from './capabilities.ts';
-
-const volumes: ServerMessage = {
-  type: 'volumes',
-  volumes: [
-    { id: 'head', title: 'Head', format: 'phantom', modality: 'CT' },
-    { id: 'knee', title: 'Knee', format: 'phantom', modality: 'CT' },
-  ],
-  refused: [],
-};
-
-const frame = (input: number, revision: number): ShownFrame => ({
-  type: 'live',
-  still: false,
-  lossless: false,
-  frame: 1,
-  revision,
-  input,
-  clock_ms: 0,
-  render_us: 0,
-  encode_us: 0,
-  width_px: 8,
-  height_px: 6,
-  viewport_width_px: 8,
-  viewport_height_px: 6,
-  bytes: 10,
-  latency_ms: 5,
-});
-
-class Harness {
-  readonly sent: ClientMessage[] = [];
-  readonly frames: (() => void)[] = [];
-  readonly saved: [string, Blob][] = [];
-  private listener: (event: FromWorker) => void = () => undefined;
-  readonly session: ViewerSession;
-
-  constructor(readonly address = '') {
-    vi.stubGlobal('requestAnimationFrame', (run: () => void) => this.frames.push(run));
-    this.session = new ViewerSession({
-      openStream: (listener) => {
-        this.listener = listener;
-        return { send: (message) => this.sent.push(message), connectNow: () => undefined };
-      },
-      address: () => this.address,
-      saveFile: (name, content) => this.saved.push([name, content]),
-    });
-  }
-
-  emit(event: FromWorker): void {
-    this.listener(event);
-  }
-
-  say(message: ServerMessage): void {
-    this.emit({ kind: 'message', message });
-  }
-
-  async connect(): Promise<void> {
-    this.emit({ kind: 'link', state: { phase: 'connected' } });
-    this.session.commands.resize({ width_px: 800, height_px: 600 });
-    this.say(capabilities);
-    this.say(volumes);
-    await vi.waitFor(() => expect(this.scenes().some(({ replace }) => replace)).toBe(true));
-  }
-
-  nextFrame(): void {
-    for (const run of this.frames.splice(0)) run();
-  }
-
-  scenes(): SceneMessage[] {
-    return this.sent.filter((message) => message.type === 'scene');
-  }
-
-  get state() {
-    return this.session.store.state;
-  }
-}
+import { frame, Harness, volumes } from './harness.ts';
 
 let harness: Harness;
 beforeEach(async () => {
@@ -278,5 +202,41 @@ describe('opening a volume', () => {
     harness.say({ type: 'loading', volume: 'knee', stage: 'cancelled', fraction: 0 });
     expect(harness.state.loading).toBeUndefined();
     expect(harness.state.scene?.volume).toBe('head');
+  });
+});
+
+describe('the lens', () => {
+  beforeEach(() => harness.say(sceneMessage));
+
+  it('comes back in the mode it had', () => {
+    harness.session.commands.set(['lens', 'mode'], 'magic');
+    harness.session.commands.toggleLens();
+    expect(harness.state.scene?.lens?.mode).toBe('none');
+    harness.session.commands.toggleLens();
+    expect(harness.state.scene?.lens?.mode).toBe('magic');
+  });
+
+  it('follows the pointer from a command on, and comes on for it', () => {
+    harness.session.commands.set(['lens', 'mode'], 'none');
+    harness.session.commands.followPointer();
+    expect(harness.state).toMatchObject({
+      lens_follows: true,
+      scene: { lens: { mode: 'cutaway' } },
+    });
+    harness.session.commands.followPointer(false);
+    expect(harness.state.lens_follows).toBe(false);
+  });
+});
+
+describe('a value left to the server', () => {
+  it('goes out at once, after what was waiting', () => {
+    harness.say(sceneMessage);
+    harness.sent.length = 0;
+    harness.session.commands.setLensRadius(20);
+    harness.session.commands.change({ focus: { surface: { upper_value: null } } });
+    expect(harness.scenes().map(({ scene }) => scene)).toEqual([
+      { lens: { radius_mm: 20 } },
+      { focus: { surface: { upper_value: null } } },
+    ]);
   });
 });

@@ -72,6 +72,22 @@ async function assertAccessible({ page }, state) {
   assert.deepEqual(found, [], state);
 }
 
+/** The longest form of a tab. */
+const UNFOLD = {
+  async Styles(viewer) {
+    await viewer.pictured('flagship', 'anatomy-atlas');
+    await viewer.screenshot(`${viewer.name}-gallery`);
+    await viewer.openStudies();
+    const study = viewer.page.locator('[data-style=toon-sobel]');
+    await study.scrollIntoViewIfNeeded();
+    await viewer.pictured('toon-sobel');
+  },
+  async Adjust(viewer) {
+    await viewer.after(() => viewer.choose('Lens: Mode', 'Magic'));
+    await viewer.after(() => viewer.toggle('Focus: Upper end'));
+  },
+};
+
 describe('layout and accessibility', { skip }, () => {
   let server, browser;
 
@@ -90,12 +106,14 @@ describe('layout and accessibility', { skip }, () => {
   })) {
     it(`${name}: every tab, the help, and a message`, async () => {
       const viewer = await Viewer.open(browser, server.url, options);
+      viewer.name = name;
       await viewer.settled();
       await assertLayout(viewer);
       await assertAccessible(viewer, 'first');
       for (const tab of ['Volumes', 'Styles', 'Adjust', 'View']) {
         await viewer.openTab(tab);
         await viewer.settled();
+        await UNFOLD[tab]?.(viewer);
         await assertLayout(viewer);
         await assertAccessible(viewer, tab);
         await viewer.screenshot(`${name}-tab-${tab.toLowerCase()}`);

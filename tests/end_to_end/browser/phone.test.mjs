@@ -98,6 +98,14 @@ describe('the page on a phone', { skip }, () => {
     );
   });
 
+  it('counts in device pixels', async () => {
+    const { width } = await viewer.stageBox();
+    await viewer.openTab('View');
+    await viewer.settled();
+    const pixels = width * PHONE.deviceScaleFactor;
+    await viewer.page.locator('dd', { hasText: new RegExp(`of ${pixels}×`) }).waitFor();
+  });
+
   it('opens the panel as a sheet and closes it again', async () => {
     const { height } = await viewer.stageBox();
     await viewer.page.getByRole('tab', { name: 'Adjust' }).tap();

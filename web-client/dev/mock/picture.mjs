@@ -49,6 +49,12 @@ function shadeColour(shading, lambert) {
     return shading.colour.map(
       (part) => part * (shading.ambient + shading.diffuse * Math.max(0, lambert)),
     );
+  if (shading.name === 'gooch') {
+    const { colour, blue, yellow, alpha, beta } = shading;
+    const cool = add(scale(colour, alpha), [0, 0, blue]);
+    const warm = add(scale(colour, beta), [yellow, yellow, 0]);
+    return add(scale(cool, (1 - lambert) / 2), scale(warm, (1 + lambert) / 2));
+  }
   const step = lambert > shading.terminator ? 1 : 0;
   const share = (shading.detail * (lambert + 1)) / 2 + (1 - shading.detail) * step;
   return shading.dark.map((part, index) => part + (shading.light[index] - part) * share);
@@ -82,21 +88,43 @@ export function surfaceUnder(scene, volume, position_px) {
   return firstHit(rayAt(scene.camera, axes, x, y), volume.skin)?.point;
 }
 
+/** Of one branch alone, or the background's. */
+function branchColour(scene, hit, shading, light) {
+  if (!hit || hit.distance === Infinity) return scene.background.colour;
+  return shadeColour(shading, dot(normalAt(hit), light));
+}
+
+function lensHole({ lens }, ray) {
+  const ball = { centre: lens.centre_mm, radii: Array(3).fill(Math.max(lens.radius_mm, 1e-3)) };
+  return lens.mode === 'none' ? undefined : crossings(ray.origin, ray.direction, ball);
+}
+
 function pixelColour(scene, volume, axes, light, x, y) {
   const ray = rayAt(scene.camera, axes, x, y);
-  const { lens } = scene;
-  const ball = { centre: lens.centre_mm, radii: Array(3).fill(Math.max(lens.radius_mm, 1e-3)) };
-  const hole = lens.mode === 'none' ? undefined : crossings(ray.origin, ray.direction, ball);
+  const hole = lensHole(scene, ray);
+  return scene.lens.mode === 'magic'
+    ? magicColour(scene, volume, light, ray, hole)
+    : cutawayColour(scene, volume, light, ray, hole);
+}
+
+/** The whole focus over the context, as far as the lens reaches. */
+function magicColour(scene, volume, light, ray, hole) {
+  const context = branchColour(scene, firstHit(ray, volume.skin), scene.context.shading, light);
+  const bone = hole && firstHit(ray, volume.bone);
+  if (!bone) return context;
+  const focus = branchColour(scene, bone, scene.focus.shading, light);
+  const { strength } = scene.lens;
+  return add(scale(context, 1 - strength), scale(focus, strength));
+}
+
+function cutawayColour(scene, volume, light, ray, hole) {
   const context = firstHit(ray, volume.skin, hole);
   const focus = hole && firstHit(ray, volume.bone);
   const inLens =
     focus && focus.distance < (context?.distance ?? Infinity) && context?.distance !== Infinity;
-  const hit = inLens ? focus : context;
-  if (!hit || hit.distance === Infinity) return scene.background.colour;
-  return shadeColour(
-    inLens ? scene.focus.shading : scene.context.shading,
-    dot(normalAt(hit), light),
-  );
+  return inLens
+    ? branchColour(scene, focus, scene.focus.shading, light)
+    : branchColour(scene, context, scene.context.shading, light);
 }
 
 export function drawScene(scene, volume, width, height) {

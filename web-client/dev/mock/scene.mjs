@@ -1,5 +1,5 @@
 // What the stand-in server knows of scenes: merging, and choosing what is left open.
-import { modules } from './schemas.mjs';
+import { modules, sceneDefault, withoutAliases } from './schemas.mjs';
 
 const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
@@ -21,19 +21,36 @@ function whole(kind, module) {
   const { parameters } = modules[kind].find(({ name }) => name === module.name);
   return {
     ...Object.fromEntries(parameters.map((parameter) => [parameter.name, parameter.default])),
-    ...module,
+    ...withoutAliases(kind, module),
   };
 }
 
-function branch(document, defaults) {
+function branchLook(branch) {
   return {
-    surface: { iso_value: document?.surface?.iso_value ?? defaults.iso_value },
-    shading: whole('shading', document?.shading ?? { name: 'tone' }),
-    filters: (document?.filters ?? [{ name: defaults.filter }]).map((filter) =>
-      whole('filter', filter),
-    ),
+    shading: whole('shading', branch?.shading ?? { name: 'tone' }),
+    filters: (branch?.filters ?? []).map((filter) => whole('filter', filter)),
   };
 }
+
+const filled = (group, fields, said) =>
+  Object.fromEntries(fields.map((field) => [field, said?.[field] ?? sceneDefault(group, field)]));
+
+/** What makes a look, said whole. */
+export function look({ focus, context, lens, light, background }) {
+  return {
+    focus: branchLook(focus),
+    context: branchLook(context),
+    lens: filled('lens', ['mode', 'cap', 'strength', 'softness', 'strict'], lens),
+    light: filled('light', ['frame', 'direction'], light),
+    background: filled('background', ['colour'], background),
+  };
+}
+
+const surface = (said, iso_value) => ({
+  iso_value,
+  opacity: sceneDefault('surface', 'opacity'),
+  ...said,
+});
 
 export function resolve(document, volume, viewport) {
   const radius_mm = volume.radii_mm;
@@ -45,22 +62,21 @@ export function resolve(document, volume, viewport) {
     vertical_fov_degrees: 30,
     view_height_mm: 330,
   };
-  const lens = {
-    mode: 'cutaway',
+  const place = {
     shape: { name: 'sphere' },
     centre_mm: [18, -radius_mm[1] * 0.9, 22],
     radius_mm: 48,
-    cap: 'flat',
   };
+  const { focus, context, lens, light, background } = look(document);
   return {
     version: 1,
     volume: volume.entry.id,
     viewport: { kind: '3d', ...viewport },
     camera: { ...front, ...document.camera },
-    focus: branch(document.focus, { iso_value: 250, filter: 'sobel' }),
-    context: branch(document.context, { iso_value: -200, filter: 'kuwahara' }),
-    lens: { ...lens, ...document.lens },
-    light: { frame: 'camera', direction: [-0.5, 0.7, 0.5], ...document.light },
-    background: { colour: [0.04, 0.05, 0.06], ...document.background },
+    focus: { surface: surface(document.focus?.surface, 250), ...focus },
+    context: { surface: surface(document.context?.surface, -200), ...context },
+    lens: { ...place, ...document.lens, ...lens },
+    light,
+    background,
   };
 }

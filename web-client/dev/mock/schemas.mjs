@@ -15,10 +15,9 @@ const schemaId = (name) => schemas.get(name).$id;
 export const validateClientMessage = ajv.getSchema(schemaId('client-message.schema.json'));
 export const validateScene = ajv.getSchema(schemaId('scene.schema.json'));
 
-const FIRST_STYLE = 'flagship';
-export const styles = readdirSync(styleFolder)
-  .map((name) => readJson(new URL(name, styleFolder)))
-  .sort((a, b) => Number(b.name === FIRST_STYLE) - Number(a.name === FIRST_STYLE));
+export const styleFiles = readdirSync(styleFolder).map((name) =>
+  readJson(new URL(name, styleFolder)),
+);
 
 const moduleDefinitions = schemas.get('modules.schema.json').definitions;
 
@@ -52,7 +51,7 @@ function describeParameter([name, schema]) {
 
 function describeModule([name, { title, description, properties }]) {
   const parameters = Object.entries(properties)
-    .filter(([key]) => key !== 'name')
+    .filter(([key, schema]) => key !== 'name' && !schema['x-alias'])
     .map(describeParameter);
   return { name, title, description, parameters };
 }
@@ -63,3 +62,19 @@ export const modules = Object.fromEntries(
     Object.entries(moduleDefinitions[kind]).map(describeModule),
   ]),
 );
+
+/** The module's real parameters: another name of one counts `factor` times. */
+export function withoutAliases(kind, module) {
+  const { properties } = moduleDefinitions[kind][module.name];
+  const real = ([key, value]) => {
+    const alias = properties[key]?.['x-alias'];
+    if (!alias) return [key, value];
+    const scaled = value * alias.factor;
+    return [alias.of, alias.whole ? Math.floor(scaled) : scaled];
+  };
+  return Object.fromEntries(Object.entries(module).map(real));
+}
+
+/** What a field of the scene is where nothing says it. */
+export const sceneDefault = (group, field) =>
+  schemas.get('scene.schema.json').definitions[group].properties[field].default;

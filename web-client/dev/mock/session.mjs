@@ -1,32 +1,16 @@
 // One stand-in session: messages in, frames out, with the credits and the still frame of
 // protocol/README.md.
+import { frameMessage } from './frame.mjs';
 import { drawScene, surfaceUnder } from './picture.mjs';
 import { mergePatch, resolve } from './scene.mjs';
-import { modules, styles, validateClientMessage, validateScene } from './schemas.mjs';
+import { modules, validateClientMessage, validateScene } from './schemas.mjs';
+import { styles } from './styles.mjs';
 import { refused, summary, volumes } from './volumes.mjs';
 
 const REST_MS = 200;
 const LOAD_STEP_MS = 60;
 const LIVE_SCALE = 0.15;
 const STILL_SCALE = 0.35;
-
-function frameMessage(header, picture) {
-  const bytes = Buffer.alloc(56);
-  bytes.write('CTWF', 0, 'latin1');
-  bytes.set([1, header.type ?? 1, header.flags], 4);
-  bytes.writeUInt16LE(56, 8);
-  bytes.writeUInt32LE(header.frame, 12);
-  bytes.writeUInt32LE(header.revision, 16);
-  bytes.writeUInt32LE(header.input, 20);
-  bytes.writeDoubleLE(header.clock_ms, 24);
-  bytes.writeUInt32LE(Math.round(header.render_ms * 1000), 32);
-  bytes.writeUInt16LE(header.width, 40);
-  bytes.writeUInt16LE(header.height, 42);
-  bytes.writeUInt16LE(header.viewport.width_px, 44);
-  bytes.writeUInt16LE(header.viewport.height_px, 46);
-  bytes.writeUInt32LE(picture.length, 48);
-  return Buffer.concat([bytes, picture]);
-}
 
 export class MockSession {
   #socket;
@@ -79,6 +63,7 @@ export class MockSession {
       type: 'error',
       ...error,
       ...(message?.input !== undefined && { input: message.input }),
+      ...(message?.request !== undefined && { request: message.request }),
     });
   }
 
@@ -100,7 +85,11 @@ export class MockSession {
       return this.#pump();
     }
     if (message.type === 'cancel_load') return this.#cancelLoad();
-    if (message.type === 'save_still') return this.#saveStill(message);
+    if (message.type === 'save_still') {
+      const picture = this.#picture(this.#scene, message);
+      return this.#sendPicture({ type: 2, flags: 3 }, message, picture);
+    }
+    if (message.type === 'preview') return void setTimeout(() => this.#preview(message));
     if (input !== undefined) this.#input = { input, clock_ms };
     if (message.type === 'viewport') {
       this.#viewport = { width_px: message.width_px, height_px: message.height_px };
@@ -234,18 +223,33 @@ export class MockSession {
     );
   }
 
-  #saveStill({ request, width_px, height_px }) {
-    const picture = drawScene(this.#scene, this.#volume, width_px, height_px);
+  #picture(scene, { width_px, height_px }) {
+    return drawScene(scene, this.#volume, width_px, height_px);
+  }
+
+  #preview(message) {
+    const style = styles.find(({ name }) => name === message.style);
+    if (!this.#scene)
+      return this.#refuse({ code: 'no-volume', message: 'No volume is open' }, message);
+    if (!style)
+      return this.#refuse(
+        { code: 'unknown-style', message: 'There is no such style', field: '/style' },
+        message,
+      );
+    const scene = resolve(mergePatch(this.#document, style.scene), this.#volume, message);
+    this.#sendPicture({ type: 3, flags: 1 }, message, this.#picture(scene, message));
+  }
+
+  /** One that was asked for, beside the live frames. */
+  #sendPicture(kind, { request, width_px, height_px }, picture) {
     const header = {
-      type: 2,
-      flags: 3,
+      ...kind,
+      ...this.#input,
       frame: request,
       revision: this.#revision,
-      ...this.#input,
       viewport: { width_px, height_px },
     };
-    this.#socket.send(
-      frameMessage({ ...header, width: width_px, height: height_px, render_ms: 0 }, picture),
-    );
+    const size = { width: width_px, height: height_px };
+    this.#socket.send(frameMessage({ ...header, ...size, render_ms: 0 }, picture));
   }
 }

@@ -6,16 +6,13 @@ import type { Control, NumberControl } from '../state/controls.ts';
 import { filterListModel, type BranchName } from '../state/filter_model.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
 import { moduleModel } from '../state/module_model.ts';
-import {
-  backgroundControl,
-  isoValueControl,
-  lensRadiusControl,
-  lightControls,
-  sceneChoiceControl,
-} from '../state/scene_controls.ts';
+import { backgroundControl, lightControls, sceneChoiceControl } from '../state/scene_controls.ts';
+import { bandModel, type BandModel } from '../state/surface_controls.ts';
 import { shared } from '../styles/shared.ts';
 import './filter_list.ts';
+import type { HistogramBand } from './histogram.ts';
 import './histogram.ts';
+import './lens_section.ts';
 import './section.ts';
 import { SessionElement } from './session_element.ts';
 
@@ -46,6 +43,12 @@ export class AdjustTab extends SessionElement {
       cutaway-histogram {
         margin: 0 8px -8px;
       }
+      /* As wide as the sliders below it. */
+      @media (pointer: coarse) {
+        cutaway-histogram {
+          margin: 0 12px -8px;
+        }
+      }
     `,
   ];
 
@@ -56,8 +59,8 @@ export class AdjustTab extends SessionElement {
     if (!capabilities || !scene || !volume)
       return html`<p class="quiet">Opens with the first picture.</p>`;
     const known = { capabilities, scene, volume };
-    return html`${this.lens(known)} ${this.branch('focus', known)} ${this.branch('context', known)}
-    ${this.light(known)}`;
+    return html`<cutaway-lens-section .session=${this.session}></cutaway-lens-section>
+      ${this.branch('focus', known)} ${this.branch('context', known)} ${this.light(known)}`;
   }
 
   private field(control: Control, group: string) {
@@ -77,9 +80,8 @@ export class AdjustTab extends SessionElement {
       capabilities.modules.shading,
       scene,
     );
-    const iso_value = isoValueControl(branch, scene, volume);
     return html`<cutaway-section heading=${heading} hint=${hint} ?open=${branch === 'focus'}>
-      ${this.histogram(iso_value, volume)} ${this.field(iso_value, heading)}
+      ${this.band(bandModel(branch, scene, volume), volume, heading)}
       ${this.field(shading.choice, heading)}
       <cutaway-module-fields
         .controls=${shading.controls}
@@ -95,25 +97,17 @@ export class AdjustTab extends SessionElement {
     </cutaway-section>`;
   }
 
-  private histogram({ value, minimum, maximum }: NumberControl, volume: VolumeSummary) {
-    const mark = maximum > minimum ? (value - minimum) / (maximum - minimum) : 0;
-    return html`<cutaway-histogram .counts=${volume.histogram} .mark=${mark}></cutaway-histogram>`;
-  }
-
-  private lens({ capabilities, scene, volume }: Known) {
-    const shapes = capabilities.modules.lens_shape;
-    const shape = moduleModel('Shape', ['lens', 'shape'], shapes, scene);
-    return html`<cutaway-section heading="Lens" open>
-      ${this.field(lensRadiusControl(scene, volume), 'Lens')}
-      ${this.field(sceneChoiceControl('lens.mode', 'Mode', scene), 'Lens')}
-      ${this.field(sceneChoiceControl('lens.cap', 'Cut surfaces', scene), 'Lens')}
-      ${shapes.length > 1 ? this.field(shape.choice, 'Lens') : nothing}
-      <cutaway-module-fields
-        .controls=${shape.controls}
-        .group=${'Lens'}
-        .change=${this.change}
-      ></cutaway-module-fields>
-    </cutaway-section>`;
+  private band(
+    { lower, has_upper, upper, opacity }: BandModel,
+    { histogram }: VolumeSummary,
+    group: string,
+  ) {
+    const share = ({ value, minimum, maximum }: NumberControl): number =>
+      maximum > minimum ? (value - minimum) / (maximum - minimum) : 0;
+    const band: HistogramBand = { lower: share(lower), upper: upper && share(upper) };
+    return html`<cutaway-histogram .counts=${histogram} .band=${band}></cutaway-histogram>
+      ${this.field(lower, group)} ${this.field(has_upper, group)}
+      ${upper ? this.field(upper, group) : nothing} ${this.field(opacity, group)}`;
   }
 
   private light({ scene }: Known) {

@@ -21,6 +21,7 @@ export class CutawayApp extends SessionElement {
     'volume',
     'panel_open',
     'address_current',
+    'lens_follows',
   ] as const;
 
   @property({ attribute: false }) canvas!: HTMLCanvasElement;
@@ -113,9 +114,10 @@ export class CutawayApp extends SessionElement {
   }
 
   private announcement(): string {
-    const { link, loading, volume } = this.state;
+    const { link, loading, volume, lens_follows } = this.state;
     if (link.phase === 'waiting') return `Disconnected: ${link.reason}. Trying again.`;
     if (loading) return `Opening: ${loading.stage.replace('_', ' ')}`;
+    if (lens_follows) return 'The lens follows the pointer. Escape ends it.';
     return volume ? `Showing ${volume.title}` : '';
   }
 

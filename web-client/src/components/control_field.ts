@@ -3,7 +3,7 @@ import '@awesome.me/webawesome/dist/components/option/option.js';
 import '@awesome.me/webawesome/dist/components/select/select.js';
 import '@awesome.me/webawesome/dist/components/slider/slider.js';
 import '@awesome.me/webawesome/dist/components/switch/switch.js';
-import { css, html, LitElement } from 'lit';
+import { html, LitElement, nothing } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import type {
@@ -16,6 +16,7 @@ import type {
 import { fromHex, toHex } from '../state/colour.ts';
 import type { Json, JsonObject } from '../state/merge_patch.ts';
 import { shared } from '../styles/shared.ts';
+import { control_field_styles } from './control_field_styles.ts';
 
 /** Digits after the point that a step asks for. */
 function digitsOf(step: number): number {
@@ -33,107 +34,7 @@ export class ControlField extends LitElement {
   @property({ attribute: false }) group = '';
   @property({ attribute: false }) change!: (patch: JsonObject) => void;
 
-  static override styles = [
-    shared,
-    css`
-      :host {
-        display: block;
-        font-size: 13px;
-      }
-      .head {
-        display: flex;
-        justify-content: space-between;
-        align-items: center;
-        gap: 8px;
-        min-height: 26px;
-      }
-      .number {
-        width: 72px;
-        padding: 2px 6px;
-        border: 1px solid transparent;
-        border-radius: 6px;
-        background: transparent;
-        color: var(--text);
-        font: inherit;
-        font-variant-numeric: tabular-nums;
-        text-align: right;
-        appearance: textfield;
-        -moz-appearance: textfield;
-      }
-      .number::-webkit-inner-spin-button {
-        display: none;
-      }
-      .number:hover,
-      .number:focus {
-        border-color: var(--line-strong);
-        background: var(--surface-raised);
-      }
-      .unit {
-        margin-left: 2px;
-        color: var(--text-quiet);
-        font-size: 12px;
-      }
-      wa-slider {
-        --track-size: 4px;
-        --thumb-width: 16px;
-        --thumb-height: 16px;
-        display: block;
-        margin: 2px 8px 4px;
-      }
-      wa-slider::part(indicator) {
-        background: var(--accent);
-      }
-      wa-slider::part(track) {
-        background: var(--line-strong);
-      }
-      wa-slider::part(label) {
-        display: none;
-      }
-      wa-select {
-        width: 100%;
-      }
-      wa-select::part(form-control-label) {
-        margin-bottom: 4px;
-        font-size: 13px;
-        font-weight: 400;
-      }
-      wa-select::part(display-input) {
-        font-size: 13px;
-      }
-      .row {
-        display: flex;
-        align-items: center;
-        justify-content: space-between;
-        min-height: 36px;
-      }
-      input[type='color'] {
-        width: 48px;
-        height: 28px;
-        padding: 2px;
-        border: 1px solid var(--line-strong);
-        border-radius: 7px;
-        background: transparent;
-        cursor: pointer;
-      }
-      @media (pointer: coarse) {
-        input[type='color'] {
-          width: 64px;
-          height: 44px;
-        }
-        .number {
-          min-height: 40px;
-        }
-        wa-select::part(combobox) {
-          min-height: 44px;
-        }
-        wa-slider {
-          --thumb-width: 24px;
-          --thumb-height: 24px;
-          margin: 8px 12px 10px;
-        }
-      }
-    `,
-  ];
+  static override styles = [shared, control_field_styles];
 
   override render() {
     const { control } = this;
@@ -151,6 +52,11 @@ export class ControlField extends LitElement {
 
   private get fullName(): string {
     return this.group ? `${this.group}: ${this.control.label}` : this.control.label;
+  }
+
+  /** A visible label need not say again whose it is, one that is read out must. */
+  private spokenGroup() {
+    return this.group ? html`<span class="visually-hidden">${this.group}: </span>` : nothing;
   }
 
   private set(value: Json): void {
@@ -200,11 +106,11 @@ export class ControlField extends LitElement {
   private choiceField(control: ChoiceControl) {
     return html`<wa-select
       size="s"
-      label=${control.label}
       title=${control.description}
       .value=${live(control.value)}
       @change=${(event: Event) => this.set((event.target as HTMLSelectElement).value)}
     >
+      <span slot="label">${this.spokenGroup()}${control.label}</span>
       ${control.choices.map(({ value, label }) => html`<wa-option value=${value}>${label}</wa-option>`)}
     </wa-select>`;
   }
@@ -215,7 +121,7 @@ export class ControlField extends LitElement {
         size="s"
         ?checked=${live(control.value)}
         @change=${(event: Event) => this.set((event.target as HTMLInputElement).checked)}
-        >${control.label}</wa-switch
+        >${this.spokenGroup()}${control.label}</wa-switch
       >
     </div>`;
   }

@@ -3,9 +3,10 @@
 import { css, html, nothing, svg } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { styleMap } from 'lit/directives/style-map.js';
+import { picturePoint } from '../interaction/picture_point.ts';
 import { cameraOf } from '../state/scene_parts.ts';
 import { pixelSizeMm, projectPx, type Camera, type Point, type Viewport } from '../view/camera.ts';
-import { elementToPicture, pictureToElement } from '../view/picture_fit.ts';
+import { pictureToElement } from '../view/picture_fit.ts';
 import { sphereOutlinePx } from '../view/sphere_outline.ts';
 import type { Vector3 } from '../view/vector.ts';
 import { shared } from '../styles/shared.ts';
@@ -24,7 +25,13 @@ interface LensInPicture {
 
 @customElement('cutaway-lens-overlay')
 export class LensOverlay extends SessionElement {
-  protected override readonly draws = ['shown', 'shown_scene', 'scene', 'viewport'] as const;
+  protected override readonly draws = [
+    'shown',
+    'shown_scene',
+    'scene',
+    'viewport',
+    'lens_follows',
+  ] as const;
 
   /** While the lens is dragged: where the pointer is, device pixels. */
   @state() private drag_px: Point | undefined;
@@ -142,7 +149,7 @@ export class LensOverlay extends SessionElement {
       <svg viewBox="0 0 ${width_px} ${height_px}" aria-hidden="true">
         ${svg`<polygon class="halo" points=${points} /><polygon points=${points} />`}
       </svg>
-      ${this.moveGrip(lens)} ${this.sizeGrip(lens, right_px)}
+      ${this.state.lens_follows ? nothing : [this.moveGrip(lens), this.sizeGrip(lens, right_px)]}
     `;
   }
 
@@ -193,10 +200,7 @@ export class LensOverlay extends SessionElement {
   }
 
   private devicePoint(event: PointerEvent): Point {
-    const box = this.getBoundingClientRect();
-    const { viewport } = this.state;
-    const place: Point = [event.clientX - box.left, event.clientY - box.top];
-    return viewport ? elementToPicture(place, viewport, box) : place;
+    return picturePoint(event, this, this.state.viewport);
   }
 
   private holds(event: PointerEvent): boolean {

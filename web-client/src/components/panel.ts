@@ -62,7 +62,9 @@ export class CutawayPanel extends SessionElement {
         border-radius: 1px;
         background: var(--accent);
       }
+      /* Text that is only read out lies absolutely, and would otherwise lengthen the page. */
       [role='tabpanel'] {
+        position: relative;
         flex: 1;
         min-height: 0;
         padding: 14px;

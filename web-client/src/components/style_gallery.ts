@@ -1,126 +1,190 @@
-// The named styles. Each card's swatch is drawn from the style's own colours: context outside,
-// focus through the lens.
-import { css, html, svg } from 'lit';
+// The named styles, each with a picture of the user's own volume. Pictures are asked for only of
+// the cards that can be seen.
+import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import type { Scene, Style } from '../protocol/messages.ts';
-import { toHex } from '../state/colour.ts';
+import { observeViewport } from '../interaction/viewport_size.ts';
+import type { CapabilitiesMessage, Style } from '../protocol/messages.ts';
+import { previewSize } from '../state/preview_subject.ts';
+import { groupOf, stylesOf } from '../state/style_groups.ts';
 import { matchingStyle } from '../state/style_patch.ts';
+import { swatchOf } from '../state/style_swatch.ts';
 import { shared } from '../styles/shared.ts';
+import type { Viewport } from '../view/camera.ts';
+import './section.ts';
 import { SessionElement } from './session_element.ts';
-
-interface Tones {
-  readonly dark: string;
-  readonly light: string;
-  /** A step between the two, as against a ramp. */
-  readonly flat: boolean;
-}
-
-const GREY: readonly [number, number, number] = [0.5, 0.5, 0.5];
-const SHADOW = 0.35;
-
-function tonesOf(branch: Scene['focus']): Tones {
-  const shading = branch?.shading;
-  if (shading?.name === 'tone') {
-    return {
-      dark: toHex(shading.dark ?? GREY),
-      light: toHex(shading.light ?? GREY),
-      flat: (shading.detail ?? 1) < 0.2,
-    };
-  }
-  const colour = shading?.colour ?? GREY;
-  return { dark: toHex(colour.map((part) => part * SHADOW)), light: toHex(colour), flat: false };
-}
+import './style_picture.ts';
 
 @customElement('cutaway-style-gallery')
 export class StyleGallery extends SessionElement {
-  protected override readonly draws = ['capabilities', 'scene'] as const;
+  protected override readonly draws = ['capabilities', 'scene', 'previews'] as const;
+
+  private readonly in_view = new Set<string>();
+  private readonly watched = new WeakSet<Element>();
+  private measured: Element | undefined;
+  private readonly sight = new IntersectionObserver((entries) => this.seen(entries));
+  private measure: ResizeObserver | undefined;
+  private size: Viewport | undefined;
+  /** Opens by itself when a study is worn, and then stays as the user leaves it. */
+  private studies_open = false;
 
   static override styles = [
     shared,
     css`
+      h2 {
+        margin: 0 2px 10px;
+        font-size: 14px;
+        font-weight: 600;
+      }
+      .worn {
+        min-height: 3.7em;
+        margin: 0 2px 12px;
+        overflow: hidden;
+      }
+      .worn strong {
+        color: var(--text);
+        font-weight: 600;
+      }
       ul {
         display: grid;
-        gap: 8px;
+        grid-template-columns: repeat(auto-fill, minmax(136px, 1fr));
+        gap: 10px;
+      }
+      cutaway-section {
+        margin-top: 14px;
+        border-top: 1px solid var(--line);
       }
       button {
-        display: grid;
-        grid-template-columns: 64px 1fr;
-        gap: 12px;
-        align-items: center;
+        display: flex;
+        flex-direction: column;
         width: 100%;
-        padding: 8px;
+        height: 100%;
+        padding: 0;
         border: 1px solid var(--line);
         border-radius: var(--radius);
         background: var(--surface-raised);
         text-align: left;
+        overflow: hidden;
         transition:
           background 120ms,
           border-color 120ms;
       }
       button:hover {
+        border-color: var(--line-strong);
         background: var(--surface-hover);
       }
       button[aria-pressed='true'] {
         border-color: var(--accent);
-        box-shadow: inset 3px 0 0 var(--accent);
-      }
-      svg {
-        display: block;
-        width: 64px;
-        height: 64px;
-        border-radius: 7px;
+        box-shadow: 0 0 0 1px var(--accent);
       }
       .title {
         display: block;
-        font-weight: 600;
-      }
-      .quiet {
-        display: block;
+        padding: 6px 9px 8px;
+        font-size: 13px;
+        font-weight: 550;
+        line-height: 1.3;
       }
     `,
   ];
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.sight.disconnect();
+    this.measure?.disconnect();
+    this.session.previews.want([], undefined);
+  }
+
+  override updated(): void {
+    for (const card of this.renderRoot.querySelectorAll('li')) {
+      if (this.watched.has(card)) continue;
+      this.watched.add(card);
+      this.sight.observe(card);
+    }
+    const first = this.renderRoot.querySelector('cutaway-style-picture') ?? undefined;
+    if (first !== this.measured) this.measureAnew(first);
+  }
+
+  private measureAnew(picture: Element | undefined): void {
+    this.measured = picture;
+    this.measure?.disconnect();
+    this.measure = picture && observeViewport(picture, (size) => this.resized(size));
+  }
+
+  private resized(size: Viewport): void {
+    this.size = previewSize(size);
+    this.askForPictures();
+  }
+
+  private seen(entries: readonly IntersectionObserverEntry[]): void {
+    for (const { target, isIntersecting } of entries) {
+      const name = (target as HTMLElement).dataset['card'] ?? '';
+      if (isIntersecting) this.in_view.add(name);
+      else this.in_view.delete(name);
+    }
+    this.askForPictures();
+  }
+
+  private askForPictures(): void {
+    const names = this.state.capabilities?.styles.map(({ name }) => name) ?? [];
+    const wanted = names.filter((name) => this.in_view.has(name));
+    this.session.previews.want(wanted, this.size);
+  }
 
   override render() {
     const { capabilities, scene } = this.state;
     if (!capabilities) return html`<p class="quiet">Waiting for the server…</p>`;
     const worn = matchingStyle(scene, capabilities.styles);
-    return html`<ul>
-      ${capabilities.styles.map((style, index) => this.card(style, index, style === worn))}
+    const studies = stylesOf('study', capabilities.styles);
+    this.studies_open ||= groupOf(worn) === 'study';
+    return html`${this.caption(worn)}
+      <h2 id="illustrations">Illustrations</h2>
+      ${this.cards('illustrations', stylesOf('illustration', capabilities.styles), worn)}
+      ${
+        studies.length === 0
+          ? nothing
+          : html`<cutaway-section
+              heading="Technique studies"
+              hint=${studies.length}
+              ?open=${this.studies_open}
+            >
+              ${this.cards('', studies, worn)}
+            </cutaway-section>`
+      }`;
+  }
+
+  private caption(worn: Style | undefined) {
+    return html`<p class="worn quiet small">
+      ${
+        worn
+          ? html`<strong>${worn.title}.</strong> ${worn.description}`
+          : html`<strong>Your own look.</strong> No named style has these settings.`
+      }
+    </p>`;
+  }
+
+  private cards(heading: string, styles: readonly Style[], worn: Style | undefined) {
+    const { capabilities } = this.state;
+    return html`<ul aria-labelledby=${heading || nothing}>
+      ${styles.map((style) => capabilities && this.card(style, style === worn, capabilities))}
     </ul>`;
   }
 
-  private card(style: Style, index: number, worn: boolean) {
-    return html`<li>
+  private card(style: Style, worn: boolean, { modules }: CapabilitiesMessage) {
+    const picture = this.state.previews.get(style.name);
+    return html`<li data-card=${style.name}>
       <button
         aria-pressed=${worn ? 'true' : 'false'}
+        aria-description=${style.description}
+        title=${style.description}
         data-style=${style.name}
+        data-picture=${picture ? 'rendered' : 'drawn'}
         @click=${() => this.session.commands.applyStyle(style)}
       >
-        ${this.swatch(style, index)}
-        <span>
-          <span class="title">${style.title}</span>
-          <span class="quiet small">${style.description}</span>
-        </span>
+        <cutaway-style-picture
+          .picture=${picture}
+          .swatch=${picture ? undefined : swatchOf(style, modules)}
+        ></cutaway-style-picture>
+        <span class="title">${style.title}</span>
       </button>
     </li>`;
-  }
-
-  private swatch({ scene }: Style, index: number) {
-    const lens_radius = scene.lens?.mode === 'none' ? 0 : 14;
-    const background = toHex(scene.background?.colour ?? [0, 0, 0]);
-    return html`<svg viewBox="0 0 64 64" aria-hidden="true">
-      ${this.ramp(`context-${index}`, tonesOf(scene.context))}
-      ${this.ramp(`focus-${index}`, tonesOf(scene.focus))}
-      ${svg`<rect width="64" height="64" fill=${background} />
-        <circle cx="32" cy="32" r="26" fill="url(#context-${index})" />
-        <circle cx="37" cy="34" r=${lens_radius} fill="url(#focus-${index})" />`}
-    </svg>`;
-  }
-
-  private ramp(id: string, { dark, light, flat }: Tones) {
-    const [from, to] = flat ? ['52%', '54%'] : ['12%', '92%'];
-    return svg`<linearGradient id=${id} x1="0.15" y1="0.05" x2="0.85" y2="0.95">
-      <stop offset=${from} stop-color=${light} /><stop offset=${to} stop-color=${dark} />
-    </linearGradient>`;
   }
 }

@@ -14,7 +14,13 @@ const LINK_TITLES: Readonly<Record<LinkState['phase'], string>> = {
 
 @customElement('cutaway-top-bar')
 export class TopBar extends SessionElement {
-  protected override readonly draws = ['link', 'volume', 'panel_open', 'shown'] as const;
+  protected override readonly draws = [
+    'link',
+    'volume',
+    'panel_open',
+    'shown',
+    'lens_follows',
+  ] as const;
 
   static override styles = [
     shared,
@@ -81,6 +87,16 @@ export class TopBar extends SessionElement {
         display: flex;
         gap: 2px;
       }
+      .follow[aria-pressed='true'] {
+        background: var(--accent);
+        color: var(--on-accent);
+      }
+      /* A finger has no place before it touches. */
+      @media (hover: none) {
+        .follow {
+          display: none;
+        }
+      }
       @media (max-width: 720px) {
         :host {
           padding-right: 2px;
@@ -128,6 +144,7 @@ export class TopBar extends SessionElement {
         <span class="dot"></span><span>${LINK_TITLES[link.phase]}</span>
       </div>
       <nav aria-label="View">
+        ${this.followButton()}
         ${this.button('link', 'Copy a link to this view', () => void this.copyLink(), !volume)}
         ${this.button('save', 'Save the picture as PNG', () => commands.saveStill(), !shown, 'save')}
         ${this.button('help', 'Help and keys', () => commands.toggleHelp(true))}
@@ -145,6 +162,20 @@ export class TopBar extends SessionElement {
       @click=${action}
     >
       <wa-icon name=${icon}></wa-icon>
+    </button>`;
+  }
+
+  private followButton() {
+    const { lens_follows, volume } = this.state;
+    return html`<button
+      class="icon-button follow"
+      aria-label="Lens follows the pointer"
+      aria-pressed=${lens_follows ? 'true' : 'false'}
+      title="Lens follows the pointer (f)"
+      ?disabled=${!volume}
+      @click=${() => this.session.commands.followPointer()}
+    >
+      <wa-icon name="follow"></wa-icon>
     </button>`;
   }
 

@@ -3,6 +3,8 @@ import { css, html, nothing } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import { applyKey } from '../interaction/keyboard.ts';
+import { followWithLens } from '../interaction/lens_follow.ts';
+import { picturePoint } from '../interaction/picture_point.ts';
 import { PointerGestures } from '../interaction/pointer_gestures.ts';
 import { observeViewport, withinLimits } from '../interaction/viewport_size.ts';
 import { listenToWheel } from '../interaction/wheel.ts';
@@ -28,6 +30,7 @@ export class CutawayViewport extends SessionElement {
     'volumes',
     'capabilities',
     'viewport',
+    'lens_follows',
   ] as const;
 
   @property({ attribute: false }) canvas!: HTMLCanvasElement;
@@ -52,6 +55,9 @@ export class CutawayViewport extends SessionElement {
         touch-action: none;
         user-select: none;
         -webkit-user-select: none;
+      }
+      .stage.follows {
+        cursor: crosshair;
       }
       .stage:active {
         cursor: grabbing;
@@ -109,6 +115,11 @@ export class CutawayViewport extends SessionElement {
       (this.size?.width_px ?? 1) / Math.max(1, this.stage.clientWidth);
     new PointerGestures(this.stage, commands, device_pixels);
     listenToWheel(this, commands);
+    followWithLens(this, this.stage, {
+      follows: () => this.state.lens_follows && this.state.scene?.lens?.mode !== 'none',
+      moved: (event) => commands.dragLens(picturePoint(event, this, this.state.viewport)),
+      ended: () => commands.followPointer(false),
+    });
     this.stage.addEventListener('keydown', (event) => applyKey(event, commands, device_pixels()));
     this.observer = observeViewport(this.canvas, (size) => this.resized(size));
   }
@@ -135,10 +146,11 @@ export class CutawayViewport extends SessionElement {
   }
 
   override render() {
-    const offline = this.state.link.phase !== 'connected';
+    const { link, shown, lens_follows } = this.state;
+    const offline = link.phase !== 'connected' && shown !== undefined;
     return html`
       <div
-        class="stage ${classMap({ offline: offline && this.state.shown !== undefined })}"
+        class="stage ${classMap({ offline, follows: lens_follows })}"
         tabindex="0"
         role="application"
         aria-label="3-D picture"

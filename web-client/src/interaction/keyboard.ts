@@ -69,6 +69,11 @@ export const KEY_BINDINGS: readonly KeyBinding[] = [
   { keys: ']', meaning: 'Larger lens', apply: key(']', (c) => c.scaleLens(LENS_FACTOR)) },
   { keys: '[', meaning: 'Smaller lens', apply: key('[', (c) => c.scaleLens(1 / LENS_FACTOR)) },
   { keys: 'x', meaning: 'Lens on or off', apply: key('x', (c) => c.toggleLens()) },
+  {
+    keys: 'f',
+    meaning: 'Lens follows the pointer, until f, Esc or a drag',
+    apply: key('f', (c) => c.followPointer()),
+  },
   { keys: ',', meaning: 'Roll left', apply: key(',', (c) => c.roll(-ROLL_RADIANS)) },
   { keys: '.', meaning: 'Roll right', apply: key('.', (c) => c.roll(ROLL_RADIANS)) },
   { keys: 'r', meaning: 'Reset the view', apply: key('r', (c) => c.resetView()) },

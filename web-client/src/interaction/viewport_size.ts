@@ -1,16 +1,27 @@
 // The size of an element in device pixels, also where the display's pixels are no whole multiple of
 // CSS pixels.
 import type { Viewport } from '../view/camera.ts';
+import type { ElementSize } from '../view/picture_fit.ts';
 
-function deviceSize(entry: ResizeObserverEntry): Viewport {
-  // Not every browser has it, whatever its type says.
-  const exact = (entry.devicePixelContentBoxSize as readonly ResizeObserverSize[] | undefined)?.[0];
-  if (exact) return { width_px: exact.inlineSize, height_px: exact.blockSize };
-  const { width, height } = entry.contentRect;
-  return {
-    width_px: Math.round(width * devicePixelRatio),
-    height_px: Math.round(height * devicePixelRatio),
-  };
+const LARGEST_ROUNDING_PX = 1;
+
+/** `exact` is not there in every browser, and in an emulated display it may be in CSS pixels. */
+export function deviceSize(
+  css: ElementSize,
+  exact: Viewport | undefined,
+  device_pixels: number,
+): Viewport {
+  const width_px = Math.round(css.width * device_pixels);
+  const height_px = Math.round(css.height * device_pixels);
+  const rounded = exact && Math.abs(exact.width_px - width_px) <= LARGEST_ROUNDING_PX;
+  return rounded ? exact : { width_px, height_px };
+}
+
+function sizeOf({ contentRect, devicePixelContentBoxSize }: ResizeObserverEntry): Viewport {
+  // Whatever its type says.
+  const [box] = (devicePixelContentBoxSize as readonly ResizeObserverSize[] | undefined) ?? [];
+  const exact = box && { width_px: box.inlineSize, height_px: box.blockSize };
+  return deviceSize(contentRect, exact, devicePixelRatio);
 }
 
 /** `resized` hears of every size but an empty one. */
@@ -20,7 +31,7 @@ export function observeViewport(
 ): ResizeObserver {
   const observer = new ResizeObserver(([entry]) => {
     if (!entry) return;
-    const viewport = deviceSize(entry);
+    const viewport = sizeOf(entry);
     if (viewport.width_px > 0 && viewport.height_px > 0) resized(viewport);
   });
   try {

@@ -1,10 +1,10 @@
 // The header before every picture; protocol/README.md, "Binary messages".
 
 export interface FrameHeader {
-  readonly type: 'live' | 'saved_still';
+  readonly type: 'live' | 'saved_still' | 'preview';
   readonly still: boolean;
   readonly lossless: boolean;
-  /** For a saved still, its request. */
+  /** For a saved still or a preview, its request. */
   readonly frame: number;
   readonly revision: number;
   readonly input: number;
@@ -26,7 +26,11 @@ export class FrameHeaderError extends Error {}
 
 const MAGIC = 0x46575443;
 const KNOWN_LENGTH = 56;
-const TYPES = { 1: 'live', 2: 'saved_still' } as const;
+const TYPES: Readonly<Record<number, FrameHeader['type']>> = {
+  1: 'live',
+  2: 'saved_still',
+  3: 'preview',
+};
 
 function checkStart(view: DataView): void {
   if (view.byteLength < KNOWN_LENGTH) {
@@ -50,9 +54,10 @@ function headerLength(view: DataView): number {
 }
 
 function frameType(view: DataView): FrameHeader['type'] {
-  const type = view.getUint8(5);
-  if (type !== 1 && type !== 2) throw new FrameHeaderError(`unknown frame type ${type}`);
-  return TYPES[type];
+  const number = view.getUint8(5);
+  const type = TYPES[number];
+  if (!type) throw new FrameHeaderError(`unknown frame type ${number}`);
+  return type;
 }
 
 function readHeader(view: DataView): FrameHeader {

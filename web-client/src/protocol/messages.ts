@@ -19,4 +19,4 @@ export type {
   VolumeSummary,
   VolumesMessage,
 } from './generated/protocol.ts';
-export { SCENE_FIELDS } from './generated/scene_fields.ts';
+export { PREVIEW_SIDE_PX, SCENE_FIELDS } from './generated/scene_fields.ts';

@@ -1,5 +1,5 @@
 // What a user can do, by name. Components, pointer and keys all call these.
-import { nestedPatch, type Json, type JsonObject } from '../state/merge_patch.ts';
+import { holdsNull, nestedPatch, type Json, type JsonObject } from '../state/merge_patch.ts';
 import { sceneToAddress } from '../state/scene_address.ts';
 import { shownCamera, viewCamera } from '../state/scene_parts.ts';
 import { stylePatch } from '../state/style_patch.ts';
@@ -9,23 +9,27 @@ import type { Stream } from '../stream/stream.ts';
 import { projectPx, type Camera, type Point, type Viewport } from '../view/camera.ts';
 import { lookFrom, orbitByPixels, panByPixels, roll, zoom } from '../view/camera_motion.ts';
 import type { StandardView } from '../view/orientation.ts';
-import { Counter } from '../protocol/counter.ts';
+import type { Counter } from '../protocol/counter.ts';
 import { SCENE_FIELDS, type Style } from '../protocol/messages.ts';
 import type { SceneLink } from './scene_link.ts';
 
 const SMALLEST_LENS_MM = 1;
 
 export class Commands {
-  private readonly requests = new Counter();
+  /** What comes back when the lens is switched on again. */
+  private lens_mode: Json = 'cutaway';
 
   constructor(
     private readonly store: Store<ViewerState>,
     private readonly link: SceneLink,
     private readonly stream: Stream,
+    private readonly requests: Counter,
   ) {}
 
+  /** A null, which leaves a choice to the server, goes out at once. */
   change(patch: JsonObject): void {
-    this.link.change(patch);
+    if (holdsNull(patch)) this.link.sendPatch(patch);
+    else this.link.change(patch);
   }
 
   set(path: readonly string[], value: Json): void {
@@ -85,8 +89,15 @@ export class Commands {
   }
 
   toggleLens(): void {
-    const mode = this.store.state.scene?.lens?.mode;
-    this.set(['lens', 'mode'], mode === 'none' ? 'cutaway' : 'none');
+    const mode = this.store.state.scene?.lens?.mode ?? 'none';
+    if (mode !== 'none') this.lens_mode = mode;
+    this.set(['lens', 'mode'], mode === 'none' ? this.lens_mode : 'none');
+  }
+
+  /** A lens that is off comes on, or nothing would be seen to follow. */
+  followPointer(lens_follows = !this.store.state.lens_follows): void {
+    if (lens_follows && this.store.state.scene?.lens?.mode === 'none') this.toggleLens();
+    this.store.update({ lens_follows });
   }
 
   applyStyle(style: Style): void {

@@ -2,6 +2,7 @@
 import { errorDetail, errorTitle } from '../state/error_text.ts';
 import { Store } from '../state/store.ts';
 import { INITIAL_STATE, type ViewerState } from '../state/viewer_state.ts';
+import { Counter } from '../protocol/counter.ts';
 import type { ErrorMessage, LoadingMessage, ServerMessage } from '../protocol/messages.ts';
 import { WorkerStream, type Stream } from '../stream/stream.ts';
 import type { FromWorker, LinkState, ShownFrame } from '../stream/worker_messages.ts';
@@ -9,6 +10,7 @@ import { Commands } from './commands.ts';
 import { FrameRate } from './frame_rate.ts';
 import { SceneLink } from './scene_link.ts';
 import { SceneOpening } from './scene_opening.ts';
+import { StylePreviews } from './style_previews.ts';
 import { Toasts } from './toasts.ts';
 
 const LAST_STAGES: ReadonlySet<LoadingMessage['stage']> = new Set(['ready', 'cancelled', 'failed']);
@@ -26,6 +28,7 @@ export class ViewerSession {
   readonly store = new Store<ViewerState>(INITIAL_STATE);
   readonly toasts = new Toasts(this.store);
   readonly commands: Commands;
+  readonly previews: StylePreviews;
   private readonly link: SceneLink;
   private readonly opening: SceneOpening;
   private readonly frame_rate = new FrameRate();
@@ -34,7 +37,9 @@ export class ViewerSession {
     const stream = parts.openStream((event) => this.onEvent(event));
     this.link = new SceneLink(this.store, stream);
     this.opening = new SceneOpening(this.store, this.link, this.toasts);
-    this.commands = new Commands(this.store, this.link, stream);
+    const requests = new Counter();
+    this.commands = new Commands(this.store, this.link, stream, requests);
+    this.previews = new StylePreviews(this.store, stream, requests);
   }
 
   /** The user has put another link into the address. */
@@ -52,12 +57,15 @@ export class ViewerSession {
         return this.onShown(event.frame);
       case 'saved_still':
         return this.parts.saveFile(this.stillName(), event.png);
+      case 'preview':
+        return this.previews.arrived(event.request, event.picture);
       case 'fault':
         return this.toasts.problem('Something unexpected came from the server', event.text);
     }
   }
 
   private onLink(link: LinkState): void {
+    this.previews.restart();
     this.store.update({ link });
     if (link.phase !== 'connected') return;
     this.store.update({ loading: undefined, capabilities: undefined });
@@ -94,7 +102,7 @@ export class ViewerSession {
 
   private onError(error: ErrorMessage): void {
     this.link.refused(error);
-    if (this.opening.refused(error)) return;
+    if (this.opening.refused(error) || this.previews.refused(error.request)) return;
     this.toasts.problem(errorTitle(error), errorDetail(error));
   }
 

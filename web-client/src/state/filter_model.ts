@@ -19,7 +19,7 @@ export interface FilterModel {
 
 export interface FilterListModel {
   readonly filters: readonly FilterModel[];
-  /** Empty where the list is full. */
+  /** What is not there yet, for a branch runs each filter once; empty where the list is full. */
   readonly additions: readonly {
     readonly title: string;
     readonly description: string;
@@ -68,5 +68,6 @@ export function filterListModel(
     description,
     patch: patch([...list, { name }]),
   });
-  return { filters: list.map(filterModel), additions: full ? [] : registry.map(addition) };
+  const missing = registry.filter(({ name }) => list.every((filter) => filter['name'] !== name));
+  return { filters: list.map(filterModel), additions: full ? [] : missing.map(addition) };
 }

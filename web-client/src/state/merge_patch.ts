@@ -31,6 +31,12 @@ export function mergePatch(base: JsonObject, patch: JsonObject): JsonObject {
   return merged;
 }
 
+export function holdsNull(patch: JsonObject): boolean {
+  return Object.values(patch).some(
+    (value) => value === null || (isObject(value) && holdsNull(value)),
+  );
+}
+
 export function textOf(value: Json | undefined, fallback = ''): string {
   return typeof value === 'string' ? value : fallback;
 }

@@ -1,71 +1,30 @@
-// Controls of the fields that every scene has; ranges and choices come from its schema and from the
-// volume.
-import { SCENE_FIELDS, type Scene, type VolumeSummary } from '../protocol/messages.ts';
+// Controls of the fields that every scene has; ranges and choices come from its schema.
+import { SCENE_FIELDS, type Scene } from '../protocol/messages.ts';
 import {
   choicesOf,
-  roundStep,
   type ChoiceControl,
   type ColourControl,
   type NumberControl,
 } from './controls.ts';
-import type { BranchName } from './filter_model.ts';
 import { lightAngles, lightDirection, type LightAngles } from './light_angles.ts';
 import { nestedPatch, textOf, valueAt, type Json, type JsonObject } from './merge_patch.ts';
 import { cameraOf, DEFAULT_FIELD_OF_VIEW_DEGREES } from './scene_parts.ts';
 import { withProjection } from '../view/camera_motion.ts';
-
-/** The surface's value, over the volume's own range. */
-export function isoValueControl(
-  branch: BranchName,
-  scene: Scene,
-  volume: VolumeSummary,
-): NumberControl {
-  const [minimum, maximum] = volume.value_range;
-  const chosen = branch === 'focus' ? volume.inner_iso_value : volume.outer_iso_value;
-  return {
-    kind: 'number',
-    id: `${branch}-iso-value`,
-    label: 'Iso-value',
-    description: SCENE_FIELDS['surface.iso_value'].description,
-    value: scene[branch]?.surface?.iso_value ?? chosen,
-    minimum,
-    maximum,
-    step: roundStep(minimum, maximum),
-    unit: volume.units === 'HU' ? 'HU' : '',
-    toPatch: (value) => nestedPatch([branch, 'surface', 'iso_value'], value),
-  };
-}
 
 type ChoiceField = 'lens.mode' | 'lens.cap' | 'light.frame' | 'camera.projection';
 
 /** A choice that the scene itself has. */
 export function sceneChoiceControl(field: ChoiceField, label: string, scene: Scene): ChoiceControl {
   const path = field.split('.');
-  const { choices, description } = SCENE_FIELDS[field];
+  const { choices, description, default: first } = SCENE_FIELDS[field];
   return {
     kind: 'choice',
     id: path.join('-'),
     label,
     description,
-    value: textOf(valueAt(scene as Json, path), choices[0]),
+    value: textOf(valueAt(scene as Json, path), first),
     choices: choicesOf(choices),
     toPatch: (value) => nestedPatch(path, value),
-  };
-}
-
-export function lensRadiusControl(scene: Scene, volume: VolumeSummary): NumberControl {
-  const field = SCENE_FIELDS['lens.radius_mm'];
-  return {
-    kind: 'number',
-    id: 'lens-radius-mm',
-    label: 'Radius',
-    description: field.description,
-    value: scene.lens?.radius_mm ?? 0,
-    minimum: field.minimum,
-    maximum: Math.min(field.maximum, Math.ceil(volume.diagonal_mm / 2)),
-    step: field.step,
-    unit: field.unit,
-    toPatch: (value) => nestedPatch(['lens', 'radius_mm'], value),
   };
 }
 

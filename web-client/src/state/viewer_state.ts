@@ -35,6 +35,12 @@ export interface ViewerState {
   /** What the picture shows; behind `scene` by its latency. */
   readonly shown_scene: Scene | undefined;
   readonly frames_per_second: number;
+  /** By style: the scene in that style, small. */
+  readonly previews: ReadonlyMap<string, ImageBitmap>;
+  /** A button is held or a finger is down. */
+  readonly pointer_held: boolean;
+  /** The lens goes where the pointer is. */
+  readonly lens_follows: boolean;
   /** Whether the page's address holds `scene`. */
   readonly address_current: boolean;
   readonly toasts: readonly Toast[];
@@ -56,6 +62,9 @@ export const INITIAL_STATE: ViewerState = {
   shown: undefined,
   shown_scene: undefined,
   frames_per_second: 0,
+  previews: new Map(),
+  pointer_held: false,
+  lens_follows: false,
   address_current: false,
   toasts: [],
   panel_tab: 'styles',

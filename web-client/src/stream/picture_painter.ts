@@ -1,7 +1,11 @@
 // Decodes pictures and paints them onto the page's canvas, off its main thread.
 import type { FrameMessage } from '../protocol/frame_header.ts';
 
-const MEDIA_TYPES = { live: 'image/jpeg', saved_still: 'image/png' } as const;
+const MEDIA_TYPES = {
+  live: 'image/jpeg',
+  preview: 'image/jpeg',
+  saved_still: 'image/png',
+} as const;
 
 export function pictureBlob({ header, picture }: FrameMessage): Blob {
   const type = header.lossless ? 'image/png' : MEDIA_TYPES[header.type];

@@ -7,7 +7,8 @@ import { PicturePainter, pictureBlob } from './picture_painter.ts';
 import { ServerLink } from './server_link.ts';
 import type { FromWorker, LinkState, ToWorker } from './worker_messages.ts';
 
-const post = (message: FromWorker): void => self.postMessage(message);
+const post = (message: FromWorker, transfer: Transferable[] = []): void =>
+  self.postMessage(message, { transfer });
 const faultText = (error: unknown): string =>
   error instanceof Error ? error.message : String(error);
 
@@ -54,12 +55,25 @@ class StreamWorker {
   }
 
   private receive(message: FrameMessage): void {
-    if (message.header.type === 'saved_still') {
-      post({ kind: 'saved_still', request: message.header.frame, png: pictureBlob(message) });
+    const { type, frame: request } = message.header;
+    if (type === 'saved_still') {
+      post({ kind: 'saved_still', request, png: pictureBlob(message) });
+    } else if (type === 'preview') {
+      void this.decodePreview(message);
     } else if (this.queue.offer(message)) {
       void this.paintWaiting();
     } else {
       this.send({ type: 'ack', frame: message.header.frame });
+    }
+  }
+
+  private async decodePreview(message: FrameMessage): Promise<void> {
+    const { frame: request } = message.header;
+    try {
+      const picture = await createImageBitmap(pictureBlob(message));
+      post({ kind: 'preview', request, picture }, [picture]);
+    } catch {
+      post({ kind: 'preview', request });
     }
   }
 

@@ -25,5 +25,7 @@ export type FromWorker =
   | { readonly kind: 'message'; readonly message: ServerMessage }
   | { readonly kind: 'shown'; readonly frame: ShownFrame }
   | { readonly kind: 'saved_still'; readonly request: number; readonly png: Blob }
+  /** Without a picture where it could not be decoded. Who takes the picture also closes it. */
+  | { readonly kind: 'preview'; readonly request: number; readonly picture?: ImageBitmap }
   /** Something came that is no part of the protocol, or could not be decoded. */
   | { readonly kind: 'fault'; readonly text: string };

@@ -79,6 +79,40 @@ export class Viewer {
     await this.page.locator('#tabpanel').waitFor();
   }
 
+  /** Until the server's picture is on the style's card. */
+  async pictured(...styles) {
+    for (const style of styles)
+      await this.page.locator(`[data-style=${style}][data-picture=rendered]`).waitFor();
+  }
+
+  async openStudies() {
+    await this.page.locator('summary', { hasText: 'Technique studies' }).click();
+  }
+
+  /** Of the panel, by whose it is and what it sets: 'Focus: Opacity'. */
+  number(name) {
+    return this.page.getByRole('spinbutton', { name });
+  }
+
+  /** By keyboard: the switch's own input lies under what is drawn. */
+  async toggle(name) {
+    await this.page.getByRole('switch', { name }).press('Space');
+  }
+
+  /** The name of a choice is that of its control. */
+  async choose(name, option) {
+    await this.page.getByRole('combobox', { name }).click();
+    await this.page.getByRole('option', { name: option }).click();
+  }
+
+  async lensMiddle() {
+    const { x, y, width, height } = await this.page
+      .locator('cutaway-lens-overlay polygon')
+      .last()
+      .boundingBox();
+    return [x + width / 2, y + height / 2];
+  }
+
   async stageBox() {
     return this.page.locator('[data-part=stage]').boundingBox();
   }

@@ -1,0 +1,131 @@
+// The gallery of styles, with pictures that the server renders of the open volume.
+import assert from 'node:assert/strict';
+import { after, afterEach, before, beforeEach, describe, it } from 'node:test';
+import { DESKTOP, openBrowser, PHONE, skip } from './support/browser.mjs';
+import { Server } from './support/server.mjs';
+import { Viewer } from './support/viewer.mjs';
+
+const POLL_MS = 250;
+const LIMIT_MS = 60_000;
+
+/** The wire as the page uses it: what it asked for, and how much of that is still on its way. */
+class Wire {
+  sizes = [];
+  most_outstanding = 0;
+  #outstanding = new Set();
+
+  constructor(page) {
+    page.on('websocket', (socket) => {
+      socket.on('framesent', ({ payload }) => this.#sent(String(payload)));
+      socket.on('framereceived', ({ payload }) => this.#received(payload));
+    });
+  }
+
+  #sent(text) {
+    const message = JSON.parse(text);
+    if (message.type !== 'preview') return;
+    this.sizes.push([message.width_px, message.height_px]);
+    this.#outstanding.add(message.request);
+    this.most_outstanding = Math.max(this.most_outstanding, this.#outstanding.size);
+  }
+
+  #received(payload) {
+    if (typeof payload !== 'string' && payload.readUInt8(5) === 3)
+      this.#outstanding.delete(payload.readUInt32LE(12));
+  }
+}
+
+describe('the gallery of styles', { skip }, () => {
+  let server, browser, viewer, wire;
+
+  before(async () => {
+    server = await Server.start();
+    browser = await openBrowser();
+  });
+  after(async () => {
+    await browser?.close();
+    await server?.kill();
+  });
+
+  async function open(options) {
+    const context = await browser.newContext(options);
+    const page = await context.newPage();
+    wire = new Wire(page);
+    viewer = new Viewer(page, server.url);
+    await page.goto(server.url);
+    await viewer.settled();
+    await viewer.openTab('Styles');
+  }
+
+  const card = (style) => viewer.page.locator(`[data-style=${style}]`);
+  const cardPixels = (style) =>
+    card(style).locator('cutaway-style-picture').screenshot({ animations: 'disabled' });
+
+  async function untilChanged(style, before_pixels) {
+    const deadline = Date.now() + LIMIT_MS;
+    while (before_pixels.equals(await cardPixels(style))) {
+      assert.ok(Date.now() < deadline, `the picture of ${style} was not renewed`);
+      await viewer.page.waitForTimeout(POLL_MS);
+    }
+  }
+
+  describe('on a desktop', () => {
+    beforeEach(() => open(DESKTOP));
+    afterEach(() => viewer.close());
+
+    it('shows the volume in each illustration, a few asked for at a time', async () => {
+      await viewer.pictured('flagship', 'anatomy-atlas', 'gooch', 'magic-lens', 'toon');
+      assert.ok(wire.most_outstanding <= 2, `${wire.most_outstanding} were outstanding`);
+      const [[width_px, height_px]] = wire.sizes;
+      assert.ok(width_px > 120 && width_px <= 512, `${width_px} pixels wide`);
+      assert.ok(Math.abs(width_px / height_px - 4 / 3) < 0.03, `${width_px} by ${height_px}`);
+    });
+
+    it('asks for a study only once it can be seen, and opens by keyboard', async () => {
+      await viewer.pictured('toon');
+      const before_studies = wire.sizes.length;
+      assert.ok(before_studies <= 9, `${before_studies} pictures for seven illustrations`);
+      const heading = viewer.page.locator('summary', {
+        hasText: 'Technique studies',
+      });
+      await heading.focus();
+      await viewer.page.keyboard.press('Enter');
+      await card('toon-sobel').scrollIntoViewIfNeeded();
+      await viewer.pictured('toon-sobel');
+      await viewer.screenshot('desktop-studies');
+      await viewer.after(() => card('toon-sobel').press('Enter'));
+      await viewer.page.locator('[data-style=toon-sobel][aria-pressed=true]').waitFor();
+    });
+
+    it('renews the pictures after the camera has moved and rests', async () => {
+      await viewer.pictured('flagship');
+      const first = await cardPixels('flagship');
+      const [x, y] = await viewer.stageMiddle();
+      await viewer.after(() => viewer.drag([x - 150, y + 200], [x + 150, y + 200]));
+      await untilChanged('flagship', first);
+    });
+
+    it('shows another volume in its pictures', async () => {
+      await viewer.pictured('flagship');
+      const first = await cardPixels('flagship');
+      await viewer.openTab('Volumes');
+      const id = 'phantom:knees';
+      await viewer.after(async () => {
+        await viewer.page.locator(`[data-volume="${id}"]`).click();
+        await viewer.app(`[data-volume="${id}"]`).waitFor();
+      });
+      await viewer.openTab('Styles');
+      await viewer.pictured('flagship', 'anatomy-atlas');
+      await untilChanged('flagship', first);
+    });
+  });
+
+  it('asks for device pixels on a phone', async () => {
+    await open(PHONE);
+    await viewer.pictured('flagship', 'anatomy-atlas');
+    const [[width_px]] = wire.sizes;
+    const { width } = await card('flagship').locator('cutaway-style-picture').boundingBox();
+    assert.equal(width_px, Math.round(width * PHONE.deviceScaleFactor));
+    await viewer.close();
+  });
+});

@@ -1,0 +1,63 @@
+// What the lens does, how large it is, and where it lies in the patient.
+import { html, nothing } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import type { CapabilitiesMessage, Scene, VolumeSummary } from '../protocol/messages.ts';
+import type { Control } from '../state/controls.ts';
+import { lensCentreControls, lensModeControls, lensRadiusControl } from '../state/lens_controls.ts';
+import type { JsonObject } from '../state/merge_patch.ts';
+import { moduleModel } from '../state/module_model.ts';
+import { sceneChoiceControl } from '../state/scene_controls.ts';
+import { shared } from '../styles/shared.ts';
+import './coordinate_fields.ts';
+import './module_fields.ts';
+import './section.ts';
+import { SessionElement } from './session_element.ts';
+
+const GROUP = 'Lens';
+
+@customElement('cutaway-lens-section')
+export class LensSection extends SessionElement {
+  protected override readonly draws = ['capabilities', 'scene', 'volume'] as const;
+
+  static override styles = shared;
+
+  private readonly change = (patch: JsonObject): void => this.session.commands.change(patch);
+
+  override render() {
+    const { capabilities, scene, volume } = this.state;
+    if (!capabilities || !scene || !volume) return nothing;
+    return html`<cutaway-section heading="Lens" open>
+      ${this.field(sceneChoiceControl('lens.mode', 'Mode', scene))}
+      ${scene.lens?.mode === 'none' ? nothing : this.details(capabilities, scene, volume)}
+    </cutaway-section>`;
+  }
+
+  private details({ modules }: CapabilitiesMessage, scene: Scene, volume: VolumeSummary) {
+    const shapes = modules.lens_shape;
+    const shape = moduleModel('Shape', ['lens', 'shape'], shapes, scene);
+    return html`
+      ${lensModeControls(scene).map((control) => this.field(control))}
+      ${shapes.length > 1 ? this.field(shape.choice) : nothing}
+      <cutaway-module-fields
+        .controls=${shape.controls}
+        .group=${GROUP}
+        .change=${this.change}
+      ></cutaway-module-fields>
+      ${this.field(lensRadiusControl(scene, volume))}
+      <cutaway-coordinate-fields
+        .controls=${lensCentreControls(scene)}
+        .heading=${'Centre in the patient'}
+        .group=${GROUP}
+        .change=${this.change}
+      ></cutaway-coordinate-fields>
+    `;
+  }
+
+  private field(control: Control) {
+    return html`<cutaway-control
+      .control=${control}
+      .group=${GROUP}
+      .change=${this.change}
+    ></cutaway-control>`;
+  }
+}
