@@ -149,6 +149,19 @@ describe('the page’s scene and the server’s', () => {
     expect(sync.scene).toEqual(base);
   });
 
+  it('takes away at once what the server puts nothing in the place of', () => {
+    const sync = new SceneSync();
+    const banded = { focus: { surface: { iso_value: 1, upper_value: 9 } } };
+    sync.told(banded);
+    sync.sent(5, { focus: { surface: { upper_value: null } } });
+    expect(sync.scene).toEqual({ focus: { surface: { iso_value: 1 } } });
+    sync.refused(5);
+    expect(sync.scene).toEqual(banded);
+    sync.sent(6, { focus: { surface: { upper_value: null } } });
+    sync.shown(6);
+    expect(sync.scene).toEqual({ focus: { surface: { iso_value: 1 } } });
+  });
+
   it('forgets a change on its way once the server shall choose that value', () => {
     const sync = new SceneSync();
     sync.told(base);

@@ -9,9 +9,14 @@ interface PendingChange {
   readonly patch: JsonObject;
 }
 
+/** Left out they are not there at all, so that their null takes effect without an answer. */
+const OPTIONAL_FIELDS: ReadonlySet<string> = new Set(['upper_value']);
+
 /** Nulls ask the server to choose; until it has, the old value stays. */
 function withoutNulls(patch: JsonObject): JsonObject {
-  const kept = Object.entries(patch).filter(([, value]) => value !== null);
+  const kept = Object.entries(patch).filter(
+    ([key, value]) => value !== null || OPTIONAL_FIELDS.has(key),
+  );
   const clean = ([key, value]: [string, Json]): [string, Json] => [
     key,
     isObject(value) ? withoutNulls(value) : value,
