@@ -10,7 +10,15 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "end_to_
 from wire import Client, Server  # noqa: E402  (a client of protocol/README.md)
 
 SMALL_PX = 96  # of the live picture, which nobody looks at
-CONFIG = "[session]\nstill_supersampling = 1\nrest_ms = 60000\n[log]\nlevel = \"warning\"\n"
+CONFIG = """\
+[server]
+idle_timeout_ms = 600000
+[session]
+still_supersampling = 1
+rest_ms = 60000
+[log]
+level = "warning"
+"""
 
 
 class Studio:
