@@ -12,8 +12,6 @@ namespace cutaway {
 
 namespace {
 
-constexpr const char* kFirst = "flagship";
-
 /// What makes a look; the rest (volume, camera, surfaces, the lens' place) is the viewer's own.
 constexpr std::array kLook = {"/focus/shading",   "/focus/filters", "/context/shading",
                               "/context/filters", "/lens/mode",     "/lens/cap",
@@ -46,9 +44,6 @@ std::vector<Style> read_styles() {
     validate(document, "style");
     all.push_back(style_from(document));
   }
-  std::sort(all.begin(), all.end(), [](const Style& a, const Style& b) {
-    return std::pair(a.name != kFirst, a.title) < std::pair(b.name != kFirst, b.title);
-  });
   return all;
 }
 

@@ -16,7 +16,7 @@ struct Style {
   Json scene;         ///< partial: a whole look, so merging one style replaces another
 };
 
-/// The flagship first, the rest by title. Thread-safe.
+/// In the order of the list in this folder's CMakeLists.txt: the flagship first. Thread-safe.
 const std::vector<Style>& styles();
 
 /// Throws Error unknown-style with the names that there are.

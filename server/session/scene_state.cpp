@@ -86,6 +86,12 @@ Json changed_document(const Json& document, const Json& patch, bool replace) {
   return changed;
 }
 
+bool opens_a_field(const Json& patch) {
+  if (patch.is_null()) return true;
+  return patch.is_object() &&
+         std::ranges::any_of(patch, [](const Json& field) { return opens_a_field(field); });
+}
+
 Json without_volume_dependent(Json document) {
   for (const char* field : kVolumeDependent) {
     const Json::json_pointer pointer(field);

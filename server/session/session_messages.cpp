@@ -52,7 +52,9 @@ void Session::change_shown(const SceneMessage& message) {
     awaited = changed_document(pending_->document, message.scene, message.replace);
   }
   const Json shown = changed_document(state_.document(), message.scene, message.replace);
-  took_effect(state_.set_document(shown), message.stamp);
+  SceneState::Change change = state_.set_document(shown);
+  change.chosen = change.chosen || opens_a_field(message.scene);
+  took_effect(change, message.stamp);
   if (awaited) pending_->document = std::move(*awaited);
 }
 

@@ -147,6 +147,35 @@ TEST(Sobel, RespondsWithTheKnownNumbers) {
               0.2 + 6 / 256.0 + 8 / 256.0, 2e-3);
 }
 
+BranchImage turned(const BranchImage& image) {
+  BranchImage result({image.size_px.y, image.size_px.x});
+  for (int y = 0; y < result.size_px.y; ++y) {
+    for (int x = 0; x < result.size_px.x; ++x)
+      result.at({x, y}) = image.at({y, image.size_px.y - 1 - x});
+  }
+  return result;
+}
+
+TEST(Sobel, OfATurnedPictureIsTheTurnedPicture) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> level(0.0, 1.0);
+  const auto input = grey({20, 14}, [&](int, int) { return representable(level(random)); });
+  const BranchImage one = turned(filtered_on_gpu(input, sobel(0.7, "darken", "unit")));
+  const BranchImage other = filtered_on_gpu(turned(input), sobel(0.7, "darken", "unit"));
+  for (std::size_t i = 0; i < one.pixels.size(); ++i)
+    EXPECT_NEAR(one.pixels[i].colour.r, other.pixels[i].colour.r, 1e-6);
+}
+
+TEST(Sobel, DarkAndBrightLinesAreEquallyFarFromThePicture) {
+  const auto input = grey({16, 16}, [](int x, int y) { return 0.5 + 0.02 * ((x * y) % 3); });
+  const BranchImage dark = filtered_on_gpu(input, sobel(0.7, "darken", "unit"));
+  const BranchImage bright = filtered_on_gpu(input, sobel(0.7, "brighten", "unit"));
+  for (std::size_t i = 0; i < input.pixels.size(); ++i) {
+    const double mean = 0.5 * (dark.pixels[i].colour.r + bright.pixels[i].colour.r);
+    EXPECT_NEAR(mean, input.pixels[i].colour.r, 1e-3);
+  }
+}
+
 TEST(Sobel, StrengthZeroChangesNothing) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> level(0.0, 1.0);

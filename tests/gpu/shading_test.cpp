@@ -128,8 +128,41 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(R"({"name": "tone", "detail": 1})",
                     R"({"name": "tone", "detail": 0.4, "terminator": 0.3})",
                     R"({"name": "tone", "detail": 1, "lambert": "clamped"})",
+                    R"({"name": "gooch"})",
+                    R"({"name": "gooch", "colour": [0.9, 0.3, 0.2], "blue": 0.7, "alpha": 0.5})",
                     R"({"name": "phong"})",
                     R"({"name": "phong", "model": "blinn", "specular": 0.8, "exponent": 10})"));
+
+TEST(GoochShading, WithItsConstantsIsTheToneShaderBetweenItsWarmAndCoolTones) {
+  // k_d = 0.6 grey, b = y = 0.4, alpha = 0.2, beta = 0.6
+  const Json tone = {
+      {"name", "tone"}, {"detail", 1}, {"dark", {0.12, 0.12, 0.52}}, {"light", {0.76, 0.76, 0.36}}};
+  const Scene gooch = sphere_scene({{"name", "gooch"}}, {-0.5, 0.7, 0.5});
+  const Scene same = sphere_scene(tone, {-0.5, 0.7, 0.5});
+  GpuHarness& gpu = GpuHarness::instance();
+  const BytePicture picture = gpu.render(gooch, sphere(), settings_for(gooch));
+  EXPECT_LE(compare(picture, gpu.render(same, sphere(), settings_for(same))).maximum, 1);
+}
+
+TEST(GoochShading, IsWarmTowardsTheLightAndCoolAwayFromIt) {
+  const Scene scene = sphere_scene({{"name", "gooch"}}, {1, 0, 0});
+  const BytePicture picture = GpuHarness::instance().render(scene, sphere(), settings_for(scene));
+  const glm::ivec3 lit = picture.rgb({176, 100});
+  const glm::ivec3 unlit = picture.rgb({24, 100});
+  EXPECT_GT(lit.r, lit.b);
+  EXPECT_GT(unlit.b, unlit.r);
+}
+
+TEST(PhongShading, AHeadlightsLambertTermIsTwoThirdsOfItsPeakOnTheDisc) {
+  const Json shading = {
+      {"name", "phong"}, {"colour", {1, 1, 1}}, {"ambient", 0}, {"diffuse", 1}, {"specular", 0}};
+  const Scene scene = sphere_scene(shading, {0, 0, 1});
+  const BytePicture picture = GpuHarness::instance().render(scene, sphere(), settings_for(scene));
+  double sum = 0.0;
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) sum += picture.rgba[i] / 255.0;
+  const double radius_px = kRadiusMm * kViewport.height_px / kViewHeightMm;
+  EXPECT_NEAR(sum / (M_PI * radius_px * radius_px), 2.0 / 3.0, 0.005);
+}
 
 TEST(PhongShading, BlinnsHighlightIsHalfwayBetweenLightAndViewer) {
   const Json shading = {{"name", "phong"}, {"model", "blinn"}, {"diffuse", 0},

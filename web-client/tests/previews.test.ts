@@ -95,12 +95,13 @@ describe('pictures of the styles', () => {
     expect(asked()).toHaveLength(1);
   });
 
-  it('count as out of date where the scene changed on their way', () => {
+  it('are dropped and asked for again where the scene changed on their way', () => {
     want('a');
     rest();
     harness.session.commands.orbit(50, 0);
-    answer(requests()[0]);
-    expect(harness.state.previews.has('a')).toBe(true);
+    const late = answer(requests()[0]);
+    expect(late.close).toHaveBeenCalledOnce();
+    expect(harness.state.previews.has('a')).toBe(false);
     rest();
     expect(names()).toEqual(['a', 'a']);
   });

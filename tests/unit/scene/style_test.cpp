@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "core/error.h"
@@ -41,6 +42,32 @@ TEST(Styles, FollowTheSchemaAndResolve) {
 TEST(Styles, BeginWithTheFlagshipWhichIsTheDefaultLook) {
   EXPECT_EQ(styles().front().name, "flagship");
   EXPECT_EQ(look(styles().front().scene), look(Json::object()));
+}
+
+/// CIE L*a*b* (D65) of display-encoded sRGB.
+glm::dvec3 lab_of(const Json& srgb) {
+  glm::dvec3 linear;
+  for (int i = 0; i < 3; ++i) {
+    const double value = srgb.at(i).get<double>();
+    linear[i] = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  }
+  const glm::dvec3 white(0.95047, 1.0, 1.08883);
+  const glm::dvec3 xyz = glm::dvec3(glm::dot(glm::dvec3(0.4124, 0.3576, 0.1805), linear),
+                                    glm::dot(glm::dvec3(0.2126, 0.7152, 0.0722), linear),
+                                    glm::dot(glm::dvec3(0.0193, 0.1192, 0.9505), linear)) /
+                         white;
+  glm::dvec3 f;
+  for (int i = 0; i < 3; ++i)
+    f[i] = xyz[i] > 0.008856 ? std::cbrt(xyz[i]) : 7.787 * xyz[i] + 16.0 / 116.0;
+  return {116.0 * f.y - 16.0, 500.0 * (f.x - f.y), 200.0 * (f.y - f.z)};
+}
+
+TEST(Styles, TheFlagshipsFocusIsThreeTimesAsColourfulAsItsContext) {
+  const auto contrast = [](const char* branch) {
+    const Json& shading = style("flagship").scene.at(branch).at("shading");
+    return glm::distance(lab_of(shading.at("dark")), lab_of(shading.at("light")));
+  };
+  EXPECT_GE(contrast("focus"), 3.0 * contrast("context"));
 }
 
 TEST(Styles, HaveNamesOfTheirOwn) {

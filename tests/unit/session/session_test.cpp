@@ -198,6 +198,17 @@ TEST_F(SessionTest, LiveFramesGoOnWhileAStillIsMade) {
   EXPECT_EQ(frames.waiting(), 1);
 }
 
+TEST_F(SessionTest, TellsTheSceneWhenABandLosesItsUpperEnd) {
+  show_ball();
+  scene({{"focus", {{"surface", {{"upper_value", 400.0}}}}}});
+  EXPECT_TRUE(client.of_type("scene").empty()) << "the client spelled it out";
+  strand->advance(Milliseconds(1000.0));
+  scene({{"focus", {{"surface", {{"upper_value", nullptr}}}}}});
+  strand->advance(Milliseconds(1000.0));
+  ASSERT_FALSE(client.of_type("scene").empty());
+  EXPECT_FALSE(client.last("scene")["scene"]["focus"]["surface"].contains("upper_value"));
+}
+
 Json preview(std::uint32_t request, const char* style) {
   return {{"type", "preview"},
           {"request", request},

@@ -83,6 +83,7 @@ export class HelpDialog extends SessionElement {
     const row = (what: string, meaning: string) =>
       html`<dt>${what}</dt>
         <dd>${meaning}</dd>`;
+    const notice = this.state.capabilities?.notice ?? 'Not for diagnostic use';
     return html`<dialog
       aria-labelledby="heading"
       @close=${() => this.session.commands.toggleHelp(false)}
@@ -105,9 +106,8 @@ export class HelpDialog extends SessionElement {
         <h3>Keys, while the picture has the focus</h3>
         <dl>${KEY_BINDINGS.map(({ keys, meaning }) => row(keys, meaning))}</dl>
         <p class="quiet small about">
-          ${this.state.capabilities?.notice ?? 'Not for diagnostic use.'} The letters at the
-          picture's edges are the patient's directions: R and L, A and P, S and I.
-          ${this.state.capabilities?.server ?? ''}
+          ${notice.replace(/\.?$/, '.')} The letters at the picture's edges are the patient's
+          directions: R and L, A and P, S and I. ${this.state.capabilities?.server ?? ''}
         </p>
       </div>
     </dialog>`;

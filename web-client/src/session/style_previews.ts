@@ -15,7 +15,6 @@ const MOST_OUTSTANDING = 2;
 
 interface Asked {
   readonly style: string;
-  readonly volume: string | undefined;
   readonly round: number;
 }
 
@@ -53,11 +52,14 @@ export class StylePreviews {
     this.askNext();
   }
 
-  /** Takes the picture over; there is none where it could not be decoded. */
+  /**
+   * Takes the picture over; there is none where it could not be decoded. One that was asked for
+   * before the scene changed may show anything in between, and is dropped.
+   */
   arrived(request: number, picture: ImageBitmap | undefined): void {
     const asked = this.outstanding.get(request);
     this.outstanding.delete(request);
-    if (asked && asked.volume === this.store.state.volume?.id) this.keep(asked, picture);
+    if (asked?.round === this.round) this.keep(asked, picture);
     else picture?.close();
     this.askNext();
   }
@@ -117,8 +119,7 @@ export class StylePreviews {
 
   private ask(style: string, size: Viewport): void {
     const request = this.requests.next();
-    const volume = this.store.state.volume?.id;
-    this.outstanding.set(request, { style, volume, round: this.round });
+    this.outstanding.set(request, { style, round: this.round });
     this.stream.send({ type: 'preview', request, style, ...size });
   }
 
