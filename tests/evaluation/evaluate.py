@@ -43,8 +43,9 @@ def parse_arguments():
 
 
 def volumes_to_show(studio, quick):
-    cts = [v["id"] for v in studio.volumes() if v["modality"] == "CT" and v["id"] not in PHANTOMS]
-    return list(PHANTOMS[:1]) if quick else [*PHANTOMS, *cts]
+    # A NIfTI or NRRD file does not say that it is a CT; what says that it is an MR is none.
+    given = [v["id"] for v in studio.volumes() if v["modality"] != "MR" and v["id"] not in PHANTOMS]
+    return list(PHANTOMS[:1]) if quick else [*PHANTOMS, *given]
 
 
 def volumes_to_study(volumes):
