@@ -8,6 +8,7 @@ import numpy
 
 import saliency
 from saliency.experiment import CONDITIONS, UNITS_PER_DATA_SET
+from saliency.metrics import nss
 from sheets import sheet
 
 SIDE_PX = 768
@@ -152,7 +153,7 @@ def _controls(pictures, examined, focus):
         salient = examined[condition, saliency.PRIMARY].saliency_px
         elsewhere = saliency.shuffled_nss(salient, moved)
         rows[condition] = (
-            float((salient[focus].mean() - salient.mean()) / max(salient.std(), 1e-12)),
+            nss(salient, focus),
             float("nan") if elsewhere is None else elsewhere,
             saliency.detail(rgb, focus),
             saliency.detail(rgb, body & ~focus),
