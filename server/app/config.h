@@ -24,6 +24,7 @@ struct VolumeSettings {
 struct RendererSettings {
   bool require_gpu = false;
   int encode_threads = 2;
+  std::uint64_t volume_bytes = std::uint64_t{8} << 30;  ///< textures of volumes on the device
 };
 
 struct Config {

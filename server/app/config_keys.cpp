@@ -134,6 +134,9 @@ std::vector<ConfigKey> other_keys() {
            1, 64, [](Config & c) -> auto& { return c.volumes.load_threads; })},
       {"renderer", "require_gpu",
        plain<BooleanKey>([](Config & c) -> auto& { return c.renderer.require_gpu; })},
+      {"renderer", "volume_bytes",
+       integer(
+           kMillion, 1024 * kTera, [](Config & c) -> auto& { return c.renderer.volume_bytes; })},
       {"renderer", "encode_threads",
        integer(
            1, 64, [](Config & c) -> auto& { return c.renderer.encode_threads; })},

@@ -80,11 +80,11 @@ FrameOutcome frame_of(const RenderOutcome& outcome) {
 
 }  // namespace
 
-FrameService::FrameService(const gl::ContextOptions& options, int encode_threads,
-                           FindVolume find_volume)
+FrameService::FrameService(const RendererSettings& settings, FindVolume find_volume)
     : find_volume_(std::move(find_volume)),
-      encoders_(static_cast<std::size_t>(encode_threads)),
-      renderer_(std::make_unique<RenderThread>(options)) {}
+      encoders_(static_cast<std::size_t>(settings.encode_threads)),
+      renderer_(std::make_unique<RenderThread>(
+          gl::ContextOptions{.require_gpu = settings.require_gpu}, settings.volume_bytes)) {}
 
 FrameService::~FrameService() {
   // The renderer first: what it still had waiting ends on the encoders' pool.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/config.h"
 #include "app/upload_target.h"
 #include "render/render_thread.h"
 #include "session/ends.h"
@@ -18,7 +19,7 @@ class FrameService : public FrameSource {
   using FindVolume = std::function<std::shared_ptr<const LoadedVolume>(const std::string& id)>;
 
   /// Throws Error "renderer-unavailable".
-  FrameService(const gl::ContextOptions& options, int encode_threads, FindVolume find_volume);
+  FrameService(const RendererSettings& settings, FindVolume find_volume);
   ~FrameService() override;
 
   void submit(FrameRequest request, std::function<void(FrameOutcome)> done) override;

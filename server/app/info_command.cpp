@@ -34,10 +34,9 @@ std::array<double, 3> plain(glm::dvec3 v) { return {v.x + 0.0, v.y + 0.0, v.z + 
 
 std::array<double, 9> row_major(const glm::dmat3& m) {
   std::array<double, 9> values{};
+  auto value = values.begin();
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      values.at(static_cast<std::size_t>(row * 3 + column)) = m[column][row] + 0.0;
-    }
+    for (int column = 0; column < 3; ++column) *value++ = m[column][row] + 0.0;
   }
   return values;
 }

@@ -53,8 +53,9 @@ void PixelReadback::start(std::span<const Source> sources) {
     glNamedFramebufferReadBuffer(source.framebuffer->name(),
                                  GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(source.attachment));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, source.framebuffer->name());
-    glReadPixels(0, 0, source.size_px.x, source.size_px.y, source.format, GL_UNSIGNED_BYTE,
-                 reinterpret_cast<void*>(offset));
+    glReadPixels(
+        0, 0, source.size_px.x, source.size_px.y, source.format, GL_UNSIGNED_BYTE,
+        reinterpret_cast<void*>(offset));  // NOLINT(performance-no-int-to-ptr): GL's own way
     offset += sizes_[i];
   }
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);

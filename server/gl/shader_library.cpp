@@ -65,7 +65,8 @@ class Expansion {
   }
 
   void append_definitions(int next_line, std::size_t number) {
-    for (const auto& [name, value] : definitions_) text_ += "#define " + name + " " + value + "\n";
+    for (const auto& [name, value] : definitions_)
+      text_.append("#define ").append(name).append(" ").append(value).append("\n");
     mark_line(next_line, number);
   }
 

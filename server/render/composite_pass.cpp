@@ -7,10 +7,9 @@ namespace cutaway {
 CompositePass::CompositePass(const gl::ShaderLibrary& shaders)
     : plain_(shaders, "fullscreen.vert", "composite.frag") {
   for (const LensShape& shape : lens_shapes()) {
-    const std::string file = "\"" + std::string(shape.shader) + "\"";
     magic_.emplace(shape.name,
                    Entry{&shape, gl::Program(shaders, "fullscreen.vert", "composite_magic.frag",
-                                             {{"LENS_SHAPE", file}})});
+                                             shader_definitions(shape))});
   }
 }
 

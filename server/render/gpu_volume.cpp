@@ -49,6 +49,11 @@ GpuVolume::GpuVolume(std::shared_ptr<const LoadedVolume> loaded, int max_texture
   check_device_memory();
 }
 
+std::uint64_t GpuVolume::texture_bytes(const Volume& volume) {
+  const glm::u64vec3 size(volume.geometry.size_voxels);
+  return size.x * size.y * size.z * voxel_format(volume.voxels).bytes;
+}
+
 void GpuVolume::upload_slab() {
   const glm::ivec3 size = volume().geometry.size_voxels;
   const VoxelFormat format = voxel_format(volume().voxels);

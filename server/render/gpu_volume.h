@@ -1,6 +1,7 @@
 // A volume on the device, with what rays need to skip its empty parts.
 #pragma once
 
+#include <cstdint>
 #include <list>
 #include <memory>
 
@@ -27,6 +28,10 @@ class GpuVolume {
 
   const Volume& volume() const { return loaded_->volume; }
   const LoadedVolume* identity() const { return loaded_.get(); }
+  /// Whether anyone but this holds the loaded volume.
+  bool is_wanted() const { return loaded_.use_count() > 1; }
+  /// What the texture of a volume takes on the device.
+  static std::uint64_t texture_bytes(const Volume& volume);
 
   /// A physical value as the shaders' samples have it.
   float to_stored(double physical_value) const;

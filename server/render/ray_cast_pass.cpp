@@ -65,8 +65,7 @@ void set_looks(const gl::Program& program, const RayCastKey& key) {
 
 RayCastPass::RayCastPass(const gl::ShaderLibrary& shaders) {
   for (const LensShape& shape : lens_shapes()) {
-    const std::map<std::string, std::string> definitions = {
-        {"LENS_SHAPE", "\"" + std::string(shape.shader) + "\""}};
+    const auto definitions = shader_definitions(shape);
     programs_.emplace(
         shape.name,
         Entry{&shape, gl::Program(shaders, "fullscreen.vert", "ray_cast.frag", definitions),

@@ -15,15 +15,15 @@ void replace(std::optional<RenderJob> job) {
 
 }  // namespace
 
-RenderThread::RenderThread(const gl::ContextOptions& options) {
+RenderThread::RenderThread(const gl::ContextOptions& options, std::uint64_t volume_bytes) {
   std::promise<RendererInfo> ready;
   auto info = ready.get_future();
-  thread_ = std::jthread([this, options, &ready](const std::stop_token& stop) {
+  thread_ = std::jthread([this, options, volume_bytes, &ready](const std::stop_token& stop) {
     std::unique_ptr<gl::Context> context;
     std::unique_ptr<RenderWorker> worker;
     try {
       context = gl::Context::create(options);
-      worker = std::make_unique<RenderWorker>(*context);
+      worker = std::make_unique<RenderWorker>(*context, volume_bytes);
     } catch (...) {
       ready.set_exception(std::current_exception());
       return;

@@ -60,8 +60,9 @@ struct RendererInfo {
 /// Thread-safe. Destroying it ends waiting jobs as replaced and uploads as cancelled.
 class RenderThread {
  public:
-  /// Returns when the context works; throws what creating it threw.
-  explicit RenderThread(const gl::ContextOptions& options);
+  /// Returns when the context works; throws what creating it threw. Volumes' textures take up to
+  /// `volume_bytes` of the device's memory, or the one that is shown what it needs.
+  RenderThread(const gl::ContextOptions& options, std::uint64_t volume_bytes);
   ~RenderThread();
 
   const RendererInfo& info() const { return info_; }

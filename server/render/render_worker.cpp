@@ -34,7 +34,7 @@ void hand_over(const RenderJob& job, RenderOutcome outcome) {
 }  // namespace
 
 void RenderWorker::begin(RenderJob job) {
-  drop_unused_volumes();
+  volumes_.drop_unwanted();
   Pending pending{std::move(job), {}, Clock::now()};
   try {
     draw(pending);
@@ -53,7 +53,7 @@ void RenderWorker::draw(Pending& pending) {
     idle_readbacks_.pop_back();
   }
   ViewState& view = views_[request.view];
-  GpuVolume& volume = volume_for(request.volume);
+  GpuVolume& volume = volumes_.use(request.volume);
   volume.upload_rest();
   pipeline_.render(view, *request.scene, volume, request.settings);
   FramePipeline::start_readback(view, request.settings.layout, pending.readback);
@@ -96,7 +96,7 @@ void RenderWorker::upload_some() {
     if (!advance(job)) return;
     job.done.set_value();
   } catch (...) {
-    volumes_.erase(job.volume);
+    volumes_.drop(job.volume.get());
     job.done.set_exception(std::current_exception());
   }
   uploads_.pop_front();
@@ -105,8 +105,7 @@ void RenderWorker::upload_some() {
 /// True once the whole volume is on the device.
 bool RenderWorker::advance(const UploadJob& job) {
   check_device();
-  drop_unused_volumes();
-  GpuVolume& volume = volume_for(job.volume);
+  GpuVolume& volume = volumes_.use(job.volume);
   const auto until = Clock::now() + kUploadTurn;
   while (!volume.is_complete() && Clock::now() < until) {
     throw_if_cancelled(job.stop);
@@ -114,17 +113,6 @@ bool RenderWorker::advance(const UploadJob& job) {
     if (job.progress) job.progress(LoadStage::upload, volume.uploaded());
   }
   return volume.is_complete();
-}
-
-GpuVolume& RenderWorker::volume_for(const std::shared_ptr<const LoadedVolume>& loaded) {
-  const auto known = volumes_.find(loaded);
-  if (known != volumes_.end()) return known->second;
-  return volumes_.emplace(loaded, GpuVolume(loaded, context_.max_3d_texture_size())).first->second;
-}
-
-void RenderWorker::drop_unused_volumes() {
-  // Two owners are left when nobody else wants a volume: the map's key and the GpuVolume itself.
-  std::erase_if(volumes_, [](const auto& entry) { return entry.first.use_count() <= 2; });
 }
 
 }  // namespace cutaway

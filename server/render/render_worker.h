@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 
+#include "render/device_volumes.h"
 #include "render/frame_pipeline.h"
 #include "render/render_thread.h"
 
@@ -12,7 +13,8 @@ namespace cutaway {
 
 class RenderWorker {
  public:
-  explicit RenderWorker(const gl::Context& context) : context_(context) {}
+  RenderWorker(const gl::Context& context, std::uint64_t volume_bytes)
+      : context_(context), volumes_(context.max_3d_texture_size(), volume_bytes) {}
 
   /// Draws and starts the read-back. A failure ends this job alone.
   void begin(RenderJob job);
@@ -40,8 +42,6 @@ class RenderWorker {
     Clock::time_point begun;
   };
 
-  GpuVolume& volume_for(const std::shared_ptr<const LoadedVolume>& loaded);
-  void drop_unused_volumes();
   void check_device();
   bool advance(const UploadJob& job);
   void draw(Pending& pending);
@@ -51,7 +51,7 @@ class RenderWorker {
   bool lost_ = false;
   FramePipeline pipeline_;
   std::map<std::uint64_t, ViewState> views_;
-  std::map<std::shared_ptr<const LoadedVolume>, GpuVolume> volumes_;
+  DeviceVolumes volumes_;
   std::deque<Pending> pending_;    ///< oldest first
   std::deque<UploadJob> uploads_;  ///< oldest first
   std::vector<gl::PixelReadback> idle_readbacks_;

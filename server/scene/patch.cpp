@@ -1,3 +1,5 @@
+#include <array>
+
 #include "core/error.h"
 #include "scene/json_text.h"
 #include "scene/module_aliases.h"
@@ -58,13 +60,15 @@ Json patch_scene_document(const Json& base, const Json& patch) {
   return merged;
 }
 
-Json forget_volume_choices(Json document) {
-  document.erase("camera");
-  for (const char* branch : {"focus", "context"})
-    if (document.contains(branch)) document.at(branch).erase("surface");
-  if (document.contains("lens")) {
-    document.at("lens").erase("centre_mm");
-    document.at("lens").erase("radius_mm");
+Json without_volume_choices(Json document) {
+  constexpr std::array kChoices = {
+      "/volume",          "/camera/eye_mm",         "/camera/target_mm",
+      "/camera/up",       "/camera/view_height_mm", "/focus/surface",
+      "/context/surface", "/lens/centre_mm",        "/lens/radius_mm"};
+  for (const char* field : kChoices) {
+    const Json::json_pointer pointer(field);
+    if (!document.contains(pointer)) continue;
+    document[pointer.parent_pointer()].erase(pointer.back());
   }
   return document;
 }

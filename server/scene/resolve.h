@@ -4,7 +4,7 @@
 // the result as the new document. Every patch is then merged into that complete document, so what
 // was chosen once (the lens on the surface in the middle of the first view) stays where it is while
 // only the camera moves; a field that a patch sets to null is open again and chosen anew by the
-// next resolve. Before another volume is shown, forget_volume_choices() opens what was chosen for
+// next resolve. Before another volume is shown, without_volume_choices() opens what was chosen for
 // the old one.
 //
 // All functions are thread-safe.
@@ -24,8 +24,9 @@ void validate_scene_document(const Json& document);
 /// `patch` and the result; throws Error and leaves nothing half done.
 Json patch_scene_document(const Json& base, const Json& patch);
 
-/// The document without camera, lens' centre and radius and iso-values: what belongs to one volume.
-Json forget_volume_choices(Json document);
+/// The document without what means nothing in another volume: its id, places, lengths and values.
+/// How wide the camera sees and how much of the lens is seen stay.
+Json without_volume_choices(Json document);
 
 /// What the document says; what it leaves out from the schema's defaults; what those leave out
 /// chosen for the volume: a camera that frames it from the front, the lens on the context surface

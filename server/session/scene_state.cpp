@@ -1,17 +1,11 @@
 #include "session/scene_state.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace cutaway {
 
 namespace {
-
-constexpr std::array kVolumeDependent = {
-    "/volume",          "/camera/eye_mm",         "/camera/target_mm",
-    "/camera/up",       "/camera/view_height_mm", "/focus/surface",
-    "/context/surface", "/lens/centre_mm",        "/lens/radius_mm"};
 
 constexpr Viewport kAnyViewport{1024, 768};
 
@@ -90,15 +84,6 @@ bool opens_a_field(const Json& patch) {
   if (patch.is_null()) return true;
   return patch.is_object() &&
          std::ranges::any_of(patch, [](const Json& field) { return opens_a_field(field); });
-}
-
-Json without_volume_dependent(Json document) {
-  for (const char* field : kVolumeDependent) {
-    const Json::json_pointer pointer(field);
-    if (!document.contains(pointer)) continue;
-    document[pointer.parent_pointer()].erase(pointer.back());
-  }
-  return document;
 }
 
 }  // namespace cutaway

@@ -54,8 +54,4 @@ Json changed_document(const Json& document, const Json& patch, bool replace);
 /// Whether a patch takes a field back to what is chosen for it: the client cannot know to what.
 bool opens_a_field(const Json& patch);
 
-/// A document without what was chosen for one volume and means nothing in another: places, lengths,
-/// values.
-Json without_volume_dependent(Json document);
-
 }  // namespace cutaway

@@ -32,7 +32,7 @@ void Session::handle(const SceneMessage& message) {
   const bool wants_shown = wanted && state_.volume() && *wanted == state_.volume()->facts().id;
   if (wanted && !wants_shown && wanted != opening_.volume()) {
     const Json base =
-        state_.volume() ? without_volume_dependent(state_.document()) : state_.document();
+        state_.volume() ? without_volume_choices(state_.document()) : state_.document();
     return open_volume(*wanted, changed_document(base, message.scene, message.replace),
                        message.stamp);
   }

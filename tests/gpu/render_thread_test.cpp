@@ -15,7 +15,9 @@ namespace {
 
 class RenderThreads : public testing::Test {
  protected:
-  RenderThreads() : volume_(load(shells_volume(centred_geometry(64)))), thread_({}) {}
+  static constexpr std::uint64_t kVolumeBytes = std::uint64_t{96} << 20;
+
+  RenderThreads() : volume_(load(shells_volume(centred_geometry(64)))), thread_({}, kVolumeBytes) {}
 
   RenderRequest request(std::uint64_t view, glm::dvec3 background = glm::dvec3(0.0)) {
     const Scene scene =
@@ -91,6 +93,26 @@ TEST_F(RenderThreads, LetsGoOfAVolumeThatNobodyWants) {
   volume_ = load(shells_volume(centred_geometry(32)));
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
   EXPECT_TRUE(first.expired());
+}
+
+// Two of the large ones are more than the limit, so that the first has to be put there again.
+TEST_F(RenderThreads, KeepsTheVolumesThatWereUsedLastWithinTheLimit) {
+  int slabs = 0;
+  const auto upload = [&](const std::shared_ptr<const LoadedVolume>& volume) {
+    slabs = 0;
+    thread_.upload(volume, [&](LoadStage, double) { ++slabs; }, {});
+    return slabs;
+  };
+  const auto first = many_slabs();
+  const auto second = many_slabs();
+  EXPECT_GT(upload(first), 1);
+  EXPECT_EQ(upload(volume_), 1);
+  EXPECT_EQ(upload(first), 0);
+  EXPECT_GT(upload(second), 1);  // takes the place of the first and of the small one before it
+  EXPECT_EQ(upload(volume_), 1);
+  EXPECT_EQ(upload(second), 0);
+  EXPECT_GT(upload(first), 1);
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
 }
 
 TEST_F(RenderThreads, AReceiverThatFailsLeavesTheOthersAlone) {

@@ -9,4 +9,8 @@ std::span<const LensShape> lens_shapes() {
   return shapes;
 }
 
+std::map<std::string, std::string> shader_definitions(const LensShape& shape) {
+  return {{"LENS_SHAPE", '"' + std::string(shape.shader) + '"'}};
+}
+
 }  // namespace cutaway

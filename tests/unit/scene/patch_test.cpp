@@ -89,14 +89,14 @@ TEST(Patch, RefusesAModuleThatLosesItsName) {
 }
 
 TEST(Patch, AnotherVolumeForgetsWhatWasChosenForTheOld) {
-  const Json forgotten = forget_volume_choices(complete());
-  EXPECT_FALSE(forgotten.contains("camera"));
-  EXPECT_FALSE(forgotten.at("focus").contains("surface"));
-  EXPECT_FALSE(forgotten.at("context").contains("surface"));
-  EXPECT_FALSE(forgotten.at("lens").contains("centre_mm"));
-  EXPECT_FALSE(forgotten.at("lens").contains("radius_mm"));
-  EXPECT_TRUE(forgotten.at("focus").contains("shading"));
-  EXPECT_EQ(forget_volume_choices(Json::object()), Json::object());
+  const Json forgotten = without_volume_choices(complete());
+  for (const char* field :
+       {"/volume", "/camera/eye_mm", "/camera/target_mm", "/camera/up", "/focus/surface",
+        "/context/surface", "/lens/centre_mm", "/lens/radius_mm"})
+    EXPECT_FALSE(forgotten.contains(Json::json_pointer(field))) << field;
+  for (const char* field : {"/camera/projection", "/focus/shading", "/lens/mode"})
+    EXPECT_TRUE(forgotten.contains(Json::json_pointer(field))) << field;
+  EXPECT_EQ(without_volume_choices(Json::object()), Json::object());
 }
 
 }  // namespace

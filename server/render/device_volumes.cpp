@@ -1,0 +1,54 @@
+#include "render/device_volumes.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/error.h"
+
+namespace cutaway {
+
+GpuVolume& DeviceVolumes::use(const std::shared_ptr<const LoadedVolume>& loaded) {
+  const auto known = std::ranges::find(volumes_, loaded.get(), &GpuVolume::identity);
+  if (known != volumes_.end()) {
+    volumes_.splice(volumes_.begin(), volumes_, known);
+    return volumes_.front();
+  }
+  drop_unwanted();
+  while (used_bytes() + GpuVolume::texture_bytes(loaded->volume) > bytes_ && drop_oldest()) {
+  }
+  return volumes_.emplace_front(place(loaded));
+}
+
+// The limit is what we may take; what the device has left, only trying tells.
+GpuVolume DeviceVolumes::place(const std::shared_ptr<const LoadedVolume>& loaded) {
+  while (true) {
+    try {
+      return {loaded, max_texture_size_};
+    } catch (const Error& error) {
+      if (error.detail().code != "too-large" || !drop_oldest()) throw;
+    }
+  }
+}
+
+bool DeviceVolumes::drop_oldest() {
+  if (volumes_.empty()) return false;
+  volumes_.pop_back();
+  return true;
+}
+
+void DeviceVolumes::drop(const LoadedVolume* identity) {
+  std::erase_if(volumes_, [=](const GpuVolume& volume) { return volume.identity() == identity; });
+}
+
+void DeviceVolumes::drop_unwanted() {
+  std::erase_if(volumes_, [](const GpuVolume& volume) { return !volume.is_wanted(); });
+}
+
+std::uint64_t DeviceVolumes::used_bytes() const {
+  return std::accumulate(volumes_.begin(), volumes_.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const GpuVolume& volume) {
+                           return sum + GpuVolume::texture_bytes(volume.volume());
+                         });
+}
+
+}  // namespace cutaway

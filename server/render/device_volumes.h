@@ -1,0 +1,37 @@
+// The volumes on the device: each once for all views, within a limit.
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <memory>
+
+#include "render/gpu_volume.h"
+
+namespace cutaway {
+
+/// Render thread only. What nobody holds any more goes; where the rest is more than the limit, so
+/// do the least recently used. One that is used again is put on the device again.
+class DeviceVolumes {
+ public:
+  DeviceVolumes(int max_texture_size, std::uint64_t bytes)
+      : max_texture_size_(max_texture_size), bytes_(bytes) {}
+
+  /// The volume, with room for it made where it is not there yet; complete or not. The reference
+  /// holds until the next call. Throws Error "volume-refused" or "too-large" when the device could
+  /// not hold it alone.
+  GpuVolume& use(const std::shared_ptr<const LoadedVolume>& loaded);
+  void drop(const LoadedVolume* identity);
+  void drop_unwanted();
+
+  std::uint64_t used_bytes() const;
+
+ private:
+  GpuVolume place(const std::shared_ptr<const LoadedVolume>& loaded);
+  bool drop_oldest();
+
+  int max_texture_size_;
+  std::uint64_t bytes_;
+  std::list<GpuVolume> volumes_;  ///< the most recently used first
+};
+
+}  // namespace cutaway
