@@ -1,7 +1,9 @@
 #include "render/ray_cast_pass.h"
 
 #include <algorithm>
+#include <array>
 
+#include "core/check.h"
 #include "render/lenses/lens_registry.h"
 #include "render/shading/shading_registry.h"
 
@@ -18,13 +20,20 @@ constexpr double kRimVoxels = 2.0;
 /// Above every stored value.
 constexpr float kNoUpperLimit = 3e38F;
 
-int mode_number(const Lens& lens) {
-  if (lens.mode == LensMode::none || lens.radius_mm <= 0.0) return 0;
-  return lens.mode == LensMode::cutaway ? 1 : 2;
+constexpr std::array kModes = {LensMode::none, LensMode::cutaway, LensMode::magic};
+
+const char* mode_name(LensMode mode) {
+  switch (mode) {
+    case LensMode::none:
+      return "LENS_NONE";
+    case LensMode::cutaway:
+      return "LENS_CUTAWAY";
+    default:
+      return "LENS_MAGIC";
+  }
 }
 
 void set_lens(const gl::Program& program, const LensShape& shape, const Lens& lens) {
-  program.set("lens_mode", mode_number(lens));
   program.set("flat_caps", lens.cap == LensCap::flat ? 1 : 0);
   program.set("open_caps", lens.cap == LensCap::open ? 1 : 0);
   shape.set_parameters(program, lens);
@@ -37,8 +46,6 @@ void set_bands(const gl::Program& program, const RayCastKey& key, const GpuVolum
     const ValueBand& band = key.surfaces[i].band;
     lower[i] = volume.to_stored(band.lower);
     upper[i] = band.has_upper_end() ? volume.to_stored(band.upper) : kNoUpperLimit;
-    const std::string name = "has_upper_limit[" + std::to_string(i) + "]";
-    program.set(name.c_str(), band.has_upper_end() ? 1 : 0);
   }
   program.set("lower_limits", lower);
   program.set("upper_limits", upper);
@@ -65,17 +72,28 @@ void set_looks(const gl::Program& program, const RayCastKey& key) {
 
 RayCastPass::RayCastPass(const gl::ShaderLibrary& shaders) {
   for (const LensShape& shape : lens_shapes()) {
-    const auto definitions = shader_definitions(shape);
-    programs_.emplace(
-        shape.name,
-        Entry{&shape, gl::Program(shaders, "fullscreen.vert", "ray_cast.frag", definitions),
-              gl::Program(shaders, "fullscreen.vert", "ray_cast_translucent.frag", definitions)});
+    for (const LensMode mode : kModes) {
+      auto definitions = shader_definitions(shape);
+      definitions["LENS_MODE"] = mode_name(mode);
+      programs_.push_back(
+          {&shape, mode, gl::Program(shaders, "fullscreen.vert", "ray_cast.frag", definitions),
+           gl::Program(shaders, "fullscreen.vert", "ray_cast_translucent.frag", definitions)});
+    }
   }
+}
+
+const RayCastPass::Entry& RayCastPass::entry_for(const Lens& lens) const {
+  const LensMode mode = lens.radius_mm > 0.0 ? lens.mode : LensMode::none;
+  const auto found = std::ranges::find_if(programs_, [&](const Entry& entry) {
+    return entry.mode == mode && entry.shape->name == lens.shape.name;
+  });
+  check(found != programs_.end(), "the scene's lens is one of the registry's");
+  return *found;
 }
 
 void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, ViewBuffers& buffers,
                       const gl::FullscreenTriangle& triangle) const {
-  const Entry& entry = programs_.at(key.lens.shape.name);
+  const Entry& entry = entry_for(key.lens);
   const gl::Program& program = key.is_translucent() ? entry.translucent : entry.opaque;
   program.use();
   volume.set_uniforms(program, 0);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <optional>
+#include <vector>
 
 #include "render/gpu_volume.h"
 #include "render/lenses/lens_shape.h"
@@ -39,12 +39,16 @@ class RayCastPass {
            const gl::FullscreenTriangle& triangle) const;
 
  private:
+  /// One for each shape of the lens and what it does.
   struct Entry {
     const LensShape* shape;
+    LensMode mode;
     gl::Program opaque;
     gl::Program translucent;
   };
-  std::map<std::string, Entry, std::less<>> programs_;  ///< by lens shape
+  const Entry& entry_for(const Lens& lens) const;
+
+  std::vector<Entry> programs_;
 };
 
 }  // namespace cutaway

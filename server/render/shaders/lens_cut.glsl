@@ -1,23 +1,60 @@
 // How the cutaway divides a ray: outside of the lens only the context exists, inside only the focus.
 
-uniform int lens_mode;
 uniform bool flat_caps;   // material cut by the lens shows a face of the lens; else the gradient's normal
 uniform bool open_caps;   // material cut by the lens shows nothing: its surface must be entered
 uniform float rim_mm;     // how far behind the lens focus is looked for that the lens has cut off
 
-const int LENS_NONE = 0;
-const int LENS_CUTAWAY = 1;
-const int LENS_MAGIC = 2;
+// Values of LENS_MODE, which is defined for each program: a test of a uniform would run both sides in software.
+#define LENS_NONE 0
+#define LENS_CUTAWAY 1
+#define LENS_MAGIC 2
 
-// A stretch with the normal of the cut where it starts in material; zero: the gradient's.
-struct Part {
-  Stretch stretch;
-  vec3 face;
+// A ray's way through the volume, and the lens' interval within it; where the ray meets no lens, both of its ends are the
+// volume's end.
+struct Course {
+  vec2 volume_mm;
+  vec2 lens_mm;
 };
+
+// Parts of a course in the ray's order.
+const int BEFORE_LENS = 0;
+const int IN_LENS = 1;
+const int BEHIND_LENS = 2;
+
+struct Stretch {
+  int branch;
+  float begin_mm;
+  float end_mm;      // not behind begin_mm: the ray has no such part
+  bool starts_open;  // the material at the begin does not count; its surface must be entered first
+};
+
+// An eye inside of the volume sees no cut where it stands.
+Stretch stretch_of(Course course, int part) {
+  Stretch stretch;
+  stretch.branch = part == IN_LENS ? FOCUS : CONTEXT;
+  stretch.begin_mm = part == BEFORE_LENS ? course.volume_mm.x : part == IN_LENS ? course.lens_mm.x : course.lens_mm.y;
+  stretch.end_mm = part == BEFORE_LENS ? course.lens_mm.x : part == IN_LENS ? course.lens_mm.y : course.volume_mm.y;
+  stretch.starts_open = stretch.begin_mm > course.volume_mm.x ? open_caps : course.volume_mm.x == 0.0;
+  return stretch;
+}
+
+bool is_empty(Stretch stretch) { return stretch.end_mm <= stretch.begin_mm; }
+
+Course outside_lens(vec2 volume_mm) { return Course(volume_mm, volume_mm.yy); }
+Course inside_lens(vec2 volume_mm) { return Course(volume_mm, volume_mm); }
+
+Course course_of(Ray ray, vec2 volume_mm) {
+#if LENS_MODE == LENS_CUTAWAY
+  vec2 lens_mm = lens_interval(ray.origin_mm, ray.direction);
+  vec2 within = vec2(max(lens_mm.x, volume_mm.x), min(lens_mm.y, volume_mm.y));
+  if (within.y > within.x) return Course(volume_mm, within);
+#endif
+  return outside_lens(volume_mm);
+}
 
 // The face of the volume's box through which the ray came in: tissue that the box cuts gets a flat face.
 vec3 box_face(Ray ray, float distance_mm) {
-  vec3 index = ray.origin_index + distance_mm * ray.index_per_mm;
+  vec3 index = index_along(ray, distance_mm);
   vec3 to_face = min(abs(index), abs(last_index() - index));
   vec3 face = vec3(lessThanEqual(to_face, min(to_face.yzx, to_face.zxy)));
   return normalize(volume_direction * (face * -sign(ray.index_per_mm)));
@@ -30,52 +67,28 @@ vec3 lens_face(Ray ray, float distance_mm) {
   return faceforward(normal, ray.direction, normal);
 }
 
-// The ray's whole way through the volume. An eye inside of the volume sees no cut where it stands.
-Part whole_ray(int branch, Ray ray, vec2 volume_mm) {
-  bool starts_in_volume = volume_mm.x == 0.0;
-  return Part(Stretch(branch, volume_mm.x, volume_mm.y, volume_mm.x, starts_in_volume), box_face(ray, volume_mm.x));
+// Normal of the cut where a stretch starts in material; zero: the gradient's.
+vec3 face_at_begin(Ray ray, Course course, float begin_mm) {
+  return begin_mm > course.volume_mm.x ? lens_face(ray, begin_mm) : box_face(ray, begin_mm);
 }
-
-// The lens' interval within the volume's; where it is missed, both ends are the volume's end.
-vec2 lens_within(Ray ray, vec2 volume_mm) {
-  vec2 missed = volume_mm.yy;
-  if (lens_mode != LENS_CUTAWAY) return missed;
-  vec2 lens_mm = lens_interval(ray.origin_mm, ray.direction);
-  vec2 within = vec2(max(lens_mm.x, volume_mm.x), min(lens_mm.y, volume_mm.y));
-  return within.y > within.x ? within : missed;
-}
-
-const int CUTAWAY_PARTS = 3;
-
-// In the ray's order: in front of the lens, inside it, behind it; empty where the ray has no such part.
-Part cutaway_part(int number, Ray ray, vec2 volume_mm, vec2 lens_mm) {
-  Part part = whole_ray(number == 1 ? FOCUS : CONTEXT, ray, volume_mm);
-  part.stretch.begin_mm = number == 0 ? volume_mm.x : number == 1 ? lens_mm.x : lens_mm.y;
-  part.stretch.end_mm = number == 0 ? lens_mm.x : number == 1 ? lens_mm.y : volume_mm.y;
-  if (part.stretch.begin_mm > volume_mm.x) {
-    part.stretch.starts_open = open_caps;
-    part.face = lens_face(ray, part.stretch.begin_mm);
-  }
-  return part;
-}
-
-bool is_empty(Part part) { return part.stretch.end_mm <= part.stretch.begin_mm; }
 
 // Whether a ray that has met no focus inside of the lens would do so just behind it. Then the lens has cut the focus off
 // there, and its end is no outline of the anatomy.
-bool is_cut_off(Ray ray, float lens_end_mm, float volume_end_mm) {
+bool is_cut_off(Ray ray, Course course, bool is_asked) {
   const int SAMPLES = 3;
-  for (int i = 1; i <= SAMPLES; ++i) {
-    float at_mm = lens_end_mm + rim_mm * float(i) / float(SAMPLES);
-    if (at_mm < volume_end_mm && band_side(FOCUS, value_along(ray, at_mm)) == IN_BAND) return true;
+  bool found = false;
+  for (int i = 1; i <= SAMPLES && is_asked && !found; ++i) {
+    float at_mm = course.lens_mm.y + rim_mm * float(i) / float(SAMPLES);
+    found = at_mm < course.volume_mm.y && band_side(FOCUS, value_along(ray, at_mm)) == IN_BAND;
   }
-  return false;
+  return found;
 }
 
 // Why a ray that meets no focus does not: see branches.glsl.
-float focus_reason(Ray ray, vec2 volume_mm, vec2 lens_mm, bool reaches_lens, bool meets_context) {
-  bool crosses_lens = reaches_lens && lens_mm.y > lens_mm.x;
-  if (crosses_lens) return is_cut_off(ray, lens_mm.y, volume_mm.y) ? REASON_OTHER_BRANCH : REASON_LEFT_LENS;
+float focus_reason(Ray ray, Course course, bool reaches_lens, bool meets_context) {
+  bool crosses_lens = reaches_lens && course.lens_mm.y > course.lens_mm.x;
+  bool cut_off = is_cut_off(ray, course, crosses_lens);
+  if (crosses_lens) return cut_off ? REASON_OTHER_BRANCH : REASON_LEFT_LENS;
   return meets_context ? REASON_OTHER_BRANCH : REASON_LEFT_VOLUME;
 }
 

@@ -6,68 +6,55 @@
 #include "view_ray.glsl"
 #include "volume.glsl"
 #include "empty_space.glsl"
-#include "surface_search.glsl"
+#include "bands.glsl"
 #include LENS_SHAPE
 #include "lens_cut.glsl"
+#include "surface_search.glsl"
 
 uniform ivec2 surface_size_px;
 
 layout(location = 0) out vec4 context_surface;
 layout(location = 1) out vec4 focus_surface;
 
-struct Hit {
-  int branch;
-  float distance_mm;  // NO_HIT where there is no surface
-  vec3 normal;
-};
-
-Hit search_part(Ray ray, Part part) {
-  Hit hit = Hit(part.stretch.branch, search_surface(ray, part.stretch), part.face);
-  if (hit.distance_mm == NO_HIT) return hit;
-  bool is_cut = hit.distance_mm == part.stretch.begin_mm && part.face != vec3(0.0);
-  vec3 index = ray.origin_index + hit.distance_mm * ray.index_per_mm;
-  if (!is_cut) hit.normal = normal_towards_viewer(index, ray.direction);
-  return hit;
-}
-
 vec4 surface_of(Hit hit, float reason) {
   return hit.distance_mm == NO_HIT ? vec4(0.0, 0.0, 0.0, reason) : vec4(hit.normal, hit.distance_mm);
 }
 
 void cast_cutaway(Ray ray, vec2 volume_mm) {
-  vec2 lens_mm = lens_within(ray, volume_mm);
-  Hit hit = Hit(CONTEXT, NO_HIT, vec3(0.0));
-  for (int i = 0; i < CUTAWAY_PARTS && hit.distance_mm == NO_HIT; ++i) {
-    Part part = cutaway_part(i, ray, volume_mm, lens_mm);
-    if (!is_empty(part)) hit = search_part(ray, part);
-  }
+  Course course = course_of(ray, volume_mm);
+  Hit hit = search_surface(ray, course, BEFORE_LENS, BEHIND_LENS);
   bool is_hit = hit.distance_mm != NO_HIT;
-  if (is_hit && hit.branch == FOCUS) {
-    focus_surface = surface_of(hit, 0.0);
-    context_surface.w = REASON_OTHER_BRANCH;
-    return;
-  }
-  context_surface = surface_of(hit, REASON_LEFT_VOLUME);
-  bool reaches_lens = !is_hit || hit.distance_mm >= lens_mm.y;
-  focus_surface.w = focus_reason(ray, volume_mm, lens_mm, reaches_lens, is_hit);
+  bool is_focus = is_hit && hit.branch == FOCUS;
+  bool reaches_lens = !is_hit || hit.distance_mm >= course.lens_mm.y;
+  float reason = focus_reason(ray, course, reaches_lens && !is_focus, is_hit);
+  vec4 surface = surface_of(hit, REASON_LEFT_VOLUME);
+  context_surface = is_focus ? vec4(0.0, 0.0, 0.0, REASON_OTHER_BRANCH) : surface;
+  focus_surface = is_focus ? surface : vec4(0.0, 0.0, 0.0, reason);
 }
 
 void cast_magic(Ray ray, vec2 volume_mm) {
-  context_surface = surface_of(search_part(ray, whole_ray(CONTEXT, ray, volume_mm)), REASON_LEFT_VOLUME);
-  focus_surface.w = REASON_OTHER_BRANCH;
-  if (!is_under_lens(ray)) return;
-  focus_surface = surface_of(search_part(ray, whole_ray(FOCUS, ray, volume_mm)), REASON_LEFT_VOLUME);
+  Course outside = outside_lens(volume_mm);
+  context_surface = surface_of(search_surface(ray, outside, BEFORE_LENS, BEFORE_LENS), REASON_LEFT_VOLUME);
+  bool is_asked = is_under_lens(ray);
+  Course inside = is_asked ? inside_lens(volume_mm) : outside;
+  vec4 surface = surface_of(search_surface(ray, inside, IN_LENS, IN_LENS), REASON_LEFT_VOLUME);
+  focus_surface = is_asked ? surface : vec4(0.0, 0.0, 0.0, REASON_OTHER_BRANCH);
+}
+
+void cast_context(Ray ray, vec2 volume_mm) {
+  Hit hit = search_surface(ray, outside_lens(volume_mm), BEFORE_LENS, BEFORE_LENS);
+  context_surface = surface_of(hit, REASON_LEFT_VOLUME);
+  focus_surface = vec4(0.0, 0.0, 0.0, hit.distance_mm == NO_HIT ? REASON_LEFT_VOLUME : REASON_OTHER_BRANCH);
 }
 
 void main() {
-  context_surface = vec4(0.0, 0.0, 0.0, REASON_LEFT_VOLUME);
-  focus_surface = vec4(0.0, 0.0, 0.0, REASON_LEFT_VOLUME);
   Ray ray = view_ray(gl_FragCoord.xy, vec2(surface_size_px));
   vec2 volume_mm = intersect_volume(ray.origin_index, ray.index_per_mm);
-  if (volume_mm.y <= volume_mm.x) return;
-  if (lens_mode == LENS_MAGIC) {
-    cast_magic(ray, volume_mm);
-  } else {
-    cast_cutaway(ray, volume_mm);
-  }
+#if LENS_MODE == LENS_CUTAWAY
+  cast_cutaway(ray, volume_mm);
+#elif LENS_MODE == LENS_MAGIC
+  cast_magic(ray, volume_mm);
+#else
+  cast_context(ray, volume_mm);
+#endif
 }

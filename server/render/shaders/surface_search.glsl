@@ -1,84 +1,118 @@
-// Finding where a value first enters a branch's band within a stretch of the ray.
+// Finding where a ray first meets a branch's band.
+//
+// A software rasteriser runs both sides of every branch, for eight rays at a time, and leaves a loop once all eight are
+// through: so one loop, with one sample of the volume in it, goes through all parts of the ray, and what a ray that meets
+// nothing does not need stands in loops too.
 
-uniform vec2 lower_limits;   // of the bands, stored units, by branch
-uniform vec2 upper_limits;   // without an upper end: larger than any value
-uniform bool has_upper_limit[2];
 uniform float step_mm;
 uniform int refinement_steps;
 
 const float NO_HIT = -1.0;
 
-struct Stretch {
+struct Hit {
   int branch;
-  float begin_mm;
-  float end_mm;
-  float lattice_mm;   // where the ray's samples are counted from: all stretches of a ray share one lattice
-  bool starts_open;   // the material at the begin does not count; its surface must be entered first
+  float distance_mm;  // NO_HIT where there is no surface
+  vec3 normal;
 };
 
-// Where a value lies: below the band, in it, above it.
-const int BELOW = -1;
-const int IN_BAND = 0;
-const int ABOVE = 1;
+// Two neighbouring samples; the surface is between them. Without a surface `far_mm` is NO_HIT.
+struct Bracket {
+  int branch;
+  int side;  // of the band, at near_mm
+  float near_mm;
+  float far_mm;
+  bool is_cut;  // the part starts in material, at far_mm
+};
 
-int band_side(int branch, float value) {
-  return value <= lower_limits[branch] ? BELOW : value >= upper_limits[branch] ? ABOVE : IN_BAND;
+// All samples of a ray lie on one lattice, whatever is skipped: this is the number of the first one behind a distance.
+int sample_after(Course course, float distance_mm) {
+  return int(floor((distance_mm - course.volume_mm.x) / step_mm)) + 1;
 }
 
-float value_along(Ray ray, float distance_mm) {
-  return stored_value(ray.origin_index + distance_mm * ray.index_per_mm);
+float sample_mm(Course course, int number) { return course.volume_mm.x + float(number) * step_mm; }
+
+// Number of the next sample that must be looked at after the one at `at_mm`; `number` is the last one up to there.
+int next_sample(Ray ray, Course course, Stretch stretch, float at_mm, int number) {
+  int reached = number;
+  bool leaps = skip_empty_space;
+  while (leaps) {
+    float empty_mm = empty_until_mm(stretch.branch, index_along(ray, at_mm), ray);
+    if (empty_mm > 0.0) reached = max(reached + 1, sample_after(course, empty_mm));
+    at_mm = sample_mm(course, reached);
+    leaps = empty_mm > 0.0 && at_mm < stretch.end_mm;
+  }
+  return max(number + 1, reached);
 }
 
-// The crossing of a limit within [near, far] by a value that has left `side` at far: regula falsi in the Illinois variant,
-// which halves the weight of an end that stays, so that both ends close in.
-float refine(Ray ray, int branch, int side, float near_mm, float far_mm) {
-  float limit = side == BELOW ? lower_limits[branch] : upper_limits[branch];
-  float near_gap = abs(value_along(ray, near_mm) - limit);
-  float far_gap = abs(value_along(ray, far_mm) - limit);
+// The first surface in the parts from `part` to `last` of a course.
+Bracket bracket_surface(Ray ray, Course course, int part, int last) {
+  if (part < last && is_empty(stretch_of(course, part))) ++part;
+  Stretch stretch = stretch_of(course, part);
+  Bracket bracket = Bracket(stretch.branch, BELOW, stretch.begin_mm, NO_HIT, false);
+  float at_mm = stretch.begin_mm;
+  int number = sample_after(course, at_mm) - 1;
+  bool begins = true;
+  bool searches = !is_empty(stretch);
+  while (searches) {
+    int side = band_side(stretch.branch, value_along(ray, at_mm));
+    bool is_cut = begins && side == IN_BAND && !stretch.starts_open;
+    bool enters = !begins && side != bracket.side && bracket.side != IN_BAND;
+    if (is_cut || enters) {
+      bracket.branch = stretch.branch;
+      bracket.far_mm = at_mm;
+      bracket.is_cut = is_cut;
+      searches = false;
+    } else if (at_mm < stretch.end_mm) {
+      // What is leapt over lies on this side too: its last sample is as good as one that was looked at.
+      number = next_sample(ray, course, stretch, at_mm, number);
+      bracket.near_mm = max(at_mm, min(sample_mm(course, number - 1), stretch.end_mm));
+      bracket.side = side;
+      at_mm = min(sample_mm(course, number), stretch.end_mm);
+      begins = false;
+    } else {
+      stretch = stretch_of(course, ++part);
+      number = sample_after(course, stretch.begin_mm) - 1;
+      begins = true;
+      searches = part <= last && !is_empty(stretch);
+    }
+  }
+  return bracket;
+}
+
+// The crossing of a limit in the bracket: regula falsi in the Illinois variant, which halves the weight of an end that
+// stays, so that both ends close in.
+float refine(Ray ray, Bracket bracket) {
+  float limit = bracket.side == BELOW ? lower_limits[bracket.branch] : upper_limits[bracket.branch];
+  float near_gap = abs(value_along(ray, bracket.near_mm) - limit);
+  float far_gap = abs(value_along(ray, bracket.far_mm) - limit);
   int kept = 0;  // 1: the near end stayed the last time, -1: the far end
-  for (int i = 0; i < refinement_steps; ++i) {
-    float guess_mm = mix(near_mm, far_mm, near_gap / max(near_gap + far_gap, 1e-12));
+  int steps = bracket.far_mm == NO_HIT || bracket.is_cut ? 0 : refinement_steps;
+  for (int i = 0; i < steps; ++i) {
+    float guess_mm = mix(bracket.near_mm, bracket.far_mm, near_gap / max(near_gap + far_gap, 1e-12));
     float value = value_along(ray, guess_mm);
     float gap = abs(value - limit);
-    if (side == BELOW ? value > limit : value < limit) {
-      far_mm = guess_mm;
+    if (bracket.side == BELOW ? value > limit : value < limit) {
+      bracket.far_mm = guess_mm;
       far_gap = gap;
       near_gap *= kept == 1 ? 0.5 : 1.0;
       kept = 1;
     } else {
-      near_mm = guess_mm;
+      bracket.near_mm = guess_mm;
       near_gap = gap;
       far_gap *= kept == -1 ? 0.5 : 1.0;
       kept = -1;
     }
   }
-  return mix(near_mm, far_mm, near_gap / max(near_gap + far_gap, 1e-12));
+  if (steps == 0) return bracket.far_mm;
+  return mix(bracket.near_mm, bracket.far_mm, near_gap / max(near_gap + far_gap, 1e-12));
 }
 
-// Number of the first sample of the lattice behind a distance.
-int sample_after(Stretch stretch, float distance_mm) {
-  return int(floor((distance_mm - stretch.lattice_mm) / step_mm)) + 1;
-}
-
-// Distance of the first hit in mm, or NO_HIT. A hit at exactly `begin_mm` is a cap: the stretch starts in material. A band
-// that is jumped over between two samples is hit at the limit that was crossed first.
-float search_surface(Ray ray, Stretch stretch) {
-  int side = band_side(stretch.branch, value_along(ray, stretch.begin_mm));
-  if (side == IN_BAND && !stretch.starts_open) return stretch.begin_mm;
-  int sample_number = sample_after(stretch, stretch.begin_mm);
-  float before_mm = stretch.begin_mm;
-  while (before_mm < stretch.end_mm) {
-    float at_mm = min(stretch.lattice_mm + float(sample_number) * step_mm, stretch.end_mm);
-    vec3 index = ray.origin_index + at_mm * ray.index_per_mm;
-    float empty_mm = skip_empty_space ? empty_until_mm(stretch.branch, index, ray) : 0.0;
-    bool is_empty = empty_mm > 0.0;
-    // An empty brick lies on one side of the band; without an upper end that can only be below.
-    int side_here = is_empty && !has_upper_limit[stretch.branch] ? BELOW : band_side(stretch.branch, stored_value(index));
-    if (side_here != side && side != IN_BAND) return refine(ray, stretch.branch, side, before_mm, at_mm);
-    side = side_here;
-    sample_number = is_empty ? max(sample_number + 1, sample_after(stretch, empty_mm)) : sample_number + 1;
-    // After a skip this is the last sample that is still known to lie on the same side.
-    before_mm = min(stretch.lattice_mm + float(sample_number - 1) * step_mm, stretch.end_mm);
-  }
-  return NO_HIT;
+// The first surface in the parts from `first` to `last` of a course; where there is none, of any branch.
+Hit search_surface(Ray ray, Course course, int first, int last) {
+  Bracket bracket = bracket_surface(ray, course, first, last);
+  float distance_mm = refine(ray, bracket);
+  bool is_hit = distance_mm != NO_HIT;
+  vec3 face = bracket.is_cut ? face_at_begin(ray, course, distance_mm) : vec3(0.0);
+  vec3 normal = normal_towards_viewer(index_along(ray, distance_mm), ray.direction, is_hit && face == vec3(0.0));
+  return Hit(bracket.branch, distance_mm, face == vec3(0.0) ? normal : face);
 }

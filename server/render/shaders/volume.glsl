@@ -23,21 +23,23 @@ vec2 intersect_volume(vec3 origin_index, vec3 index_per_mm) {
 
 // Central differences over one voxel each way, per millimetre, in patient space; one-sided at the border, where a
 // clamped central difference would be half as steep.
-vec3 gradient_per_mm(vec3 index) {
-  vec3 gradient;
-  for (int axis = 0; axis < 3; ++axis) {
+// Zero where it is not asked for; a loop, so that nobody's asking costs nothing in software.
+vec3 gradient_per_mm(vec3 index, bool is_asked) {
+  vec3 gradient = vec3(0.0);
+  int axes = is_asked ? 3 : 0;
+  for (int axis = 0; axis < axes; ++axis) {
     vec3 step_index = vec3(axis == 0, axis == 1, axis == 2);
     vec3 ahead = min(index + step_index, last_index());
     vec3 behind = max(index - step_index, vec3(0.0));
-    float distance_mm = (ahead[axis] - behind[axis]) * volume_spacing_mm[axis];
-    gradient[axis] = (stored_value(ahead) - stored_value(behind)) / max(distance_mm, 1e-6);
+    float distance_mm = dot((ahead - behind) * volume_spacing_mm, step_index);
+    gradient += step_index * (stored_value(ahead) - stored_value(behind)) / max(distance_mm, 1e-6);
   }
   return volume_direction * gradient;
 }
 
 // From low to high value, the wrong way for light: the outward normal is its opposite. Flat spots face the viewer.
-vec3 normal_towards_viewer(vec3 index, vec3 ray_direction) {
-  vec3 gradient = gradient_per_mm(index);
+vec3 normal_towards_viewer(vec3 index, vec3 ray_direction, bool is_asked) {
+  vec3 gradient = gradient_per_mm(index, is_asked);
   float steepness = length(gradient);
   vec3 normal = steepness > 1e-12 ? -gradient / steepness : -ray_direction;
   return faceforward(normal, ray_direction, normal);
