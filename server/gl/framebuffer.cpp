@@ -15,6 +15,7 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture2D*> attachments) {
     const GLenum point = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size());
     glNamedFramebufferTexture(name, point, texture->name(), 0);
     buffers.push_back(point);
+    ++attachments_;
     size_px_ = texture->size_px();
   }
   glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(buffers.size()), buffers.data());
@@ -25,6 +26,16 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture2D*> attachments) {
 void Framebuffer::bind() const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, handle_.name());
   glViewport(0, 0, size_px_.x, size_px_.y);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void Framebuffer::bind(const PixelRect& region, const glm::vec4& around) const {
+  bind();
+  if (region == PixelRect{{0, 0}, size_px_}) return;
+  for (int i = 0; i < attachments_; ++i) glClearBufferfv(GL_COLOR, i, &around[0]);
+  const glm::ivec2 size = glm::max(region.end - region.begin, glm::ivec2(0));
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(region.begin.x, region.begin.y, size.x, size.y);
 }
 
 FullscreenTriangle::FullscreenTriangle() {

@@ -7,6 +7,14 @@
 
 namespace cutaway::gl {
 
+/// Pixels [begin, end), row 0 first in memory.
+struct PixelRect {
+  glm::ivec2 begin{0};
+  glm::ivec2 end{0};
+  bool is_empty() const { return end.x <= begin.x || end.y <= begin.y; }
+  bool operator==(const PixelRect&) const = default;
+};
+
 /// Colour attachments 0.. in the order given, all of one size. The textures must outlive it.
 class Framebuffer {
  public:
@@ -17,9 +25,12 @@ class Framebuffer {
 
   /// Binds it for drawing, with a viewport of its whole size.
   void bind() const;
+  /// The same, but what is drawn falls into `region` only; all around it is set to `around`.
+  void bind(const PixelRect& region, const glm::vec4& around) const;
 
  private:
   FramebufferHandle handle_;
+  int attachments_ = 0;
   glm::ivec2 size_px_{0};
 };
 

@@ -77,13 +77,16 @@ void FramePipeline::render(ViewState& view, const Scene& scene, GpuVolume& volum
     view.buffers_.emplace(settings.picture_size_px, settings.supersampling);
   }
   const RayCastKey rays = ray_cast_key(scene, volume, settings);
-  const std::uint64_t surface = cast_rays(view, rays, volume);
+  const ViewRegions regions =
+      view_regions(scene, volume.volume().geometry, settings.picture_size_px);
+  const std::uint64_t surface = cast_rays(view, rays, volume, regions.volume);
   const auto looks = looks_of(scene);
   const auto branch = [&](BranchIndex index, const Branch& described) {
+    const Target target{regions.branches[index], settings};
     const auto shaded = rays.is_translucent()
-                            ? resolve(view, index, surface, settings)
-                            : shade(view, index, {surface, rays.rays, looks[index]}, settings);
-    return filter(view, index, described.filters, shaded, settings);
+                            ? resolve(view, index, surface, target)
+                            : shade(view, index, {surface, rays.rays, looks[index]}, target);
+    return filter(view, index, described.filters, shaded, target);
   };
   const auto context = branch(kContext, scene.context);
   const auto focus = branch(kFocus, scene.focus);
@@ -92,18 +95,20 @@ void FramePipeline::render(ViewState& view, const Scene& scene, GpuVolume& volum
   convert(view, settings.layout);
 }
 
-std::uint64_t FramePipeline::cast_rays(ViewState& view, const RayCastKey& key, GpuVolume& volume) {
+std::uint64_t FramePipeline::cast_rays(ViewState& view, const RayCastKey& key, GpuVolume& volume,
+                                       const gl::PixelRect& region) {
   return view.ray_cast_.run(key, [&] {
-    ray_cast_pass_.run(key, volume, *view.buffers_, triangle_);
+    ray_cast_pass_.run(key, volume, *view.buffers_, scaled(region, view.buffers_->supersampling()),
+                       triangle_);
     ran("ray cast");
   });
 }
 
 ViewState::BranchPicture FramePipeline::shade(ViewState& view, BranchIndex index,
-                                              const ShadeKey& key, const RenderSettings& settings) {
+                                              const ShadeKey& key, const Target& target) {
   const BranchBuffers& buffers = view.buffers_->branches[index];
   const std::uint64_t version = view.branches_[index].shade.run(key, [&] {
-    shade_pass_.run(key, index, buffers, settings.supersampling, triangle_);
+    shade_pass_.run(key, index, buffers, target.region, target.settings.supersampling, triangle_);
     ran("shade");
   });
   return {&buffers.shaded, version};
@@ -111,11 +116,11 @@ ViewState::BranchPicture FramePipeline::shade(ViewState& view, BranchIndex index
 
 ViewState::BranchPicture FramePipeline::resolve(ViewState& view, BranchIndex index,
                                                 std::uint64_t layers_version,
-                                                const RenderSettings& settings) {
+                                                const Target& target) {
   const BranchBuffers& buffers = view.buffers_->branches[index];
   const ShadeKey key{.surface_version = layers_version, .rays = {}, .look = {}};
   const std::uint64_t version = view.branches_[index].shade.run(key, [&] {
-    resolve_pass_.run(buffers, settings.supersampling, triangle_);
+    resolve_pass_.run(buffers, target.region, target.settings.supersampling, triangle_);
     ran("resolve");
   });
   return {&buffers.shaded, version};
@@ -124,20 +129,20 @@ ViewState::BranchPicture FramePipeline::resolve(ViewState& view, BranchIndex ind
 ViewState::BranchPicture FramePipeline::filter(ViewState& view, BranchIndex index,
                                                const std::vector<Module>& filters,
                                                ViewState::BranchPicture picture,
-                                               const RenderSettings& settings) {
+                                               const Target& target) {
   const BranchBuffers& buffers = view.buffers_->branches[index];
   auto& stages = view.branches_[index].filters;
   const std::uint64_t shaded = picture.version;
   if (stages.size() < filters.size()) stages.resize(filters.size());
   for (std::size_t i = 0; i < filters.size(); ++i) {
-    const ColourTarget& target = view.buffers_->filtered(index, i);
-    const FilterKey key{picture.version, shaded, filters[i], settings.resolution_scale};
+    const ColourTarget& output = view.buffers_->filtered(index, i);
+    const FilterKey key{picture.version, shaded, filters[i], target.settings.resolution_scale};
     picture.version = stages[i].run(key, [&] {
       filter_pass_.run(key, {*picture.texture, buffers.silhouette, buffers.surface},
-                       target.framebuffer, triangle_);
+                       output.framebuffer, target.region, triangle_);
       ran(filters[i].name.c_str());
     });
-    picture.texture = &target.texture;
+    picture.texture = &output.texture;
   }
   return picture;
 }

@@ -16,6 +16,7 @@
 #include "render/resolve_pass.h"
 #include "render/shade_pass.h"
 #include "render/stage.h"
+#include "render/view_regions.h"
 
 namespace cutaway {
 
@@ -76,14 +77,20 @@ class FramePipeline {
   void observe(StageObserver observer) { observer_ = std::move(observer); }
 
  private:
-  std::uint64_t cast_rays(ViewState& view, const RayCastKey& key, GpuVolume& volume);
+  /// Where a branch's stages draw, and how.
+  struct Target {
+    gl::PixelRect region;
+    const RenderSettings& settings;
+  };
+  std::uint64_t cast_rays(ViewState& view, const RayCastKey& key, GpuVolume& volume,
+                          const gl::PixelRect& region);
   ViewState::BranchPicture shade(ViewState& view, BranchIndex index, const ShadeKey& key,
-                                 const RenderSettings& settings);
+                                 const Target& target);
   ViewState::BranchPicture resolve(ViewState& view, BranchIndex index, std::uint64_t layers_version,
-                                   const RenderSettings& settings);
+                                   const Target& target);
   ViewState::BranchPicture filter(ViewState& view, BranchIndex index,
                                   const std::vector<Module>& filters,
-                                  ViewState::BranchPicture picture, const RenderSettings& settings);
+                                  ViewState::BranchPicture picture, const Target& target);
   void composite(ViewState& view, const CompositeKey& key);
   void convert(ViewState& view, PixelLayout layout);
   void ran(const char* stage) const;

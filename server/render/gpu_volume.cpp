@@ -28,6 +28,16 @@ VoxelFormat voxel_format(const Voxels& voxels) {
   return {GL_R32F, GL_FLOAT, 4, reinterpret_cast<const std::uint8_t*>(floats.data())};
 }
 
+std::vector<std::uint8_t> interleaved(const std::vector<std::uint8_t>& a,
+                                      const std::vector<std::uint8_t>& b) {
+  std::vector<std::uint8_t> both(a.size() * 2);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    both[2 * i] = a[i];
+    both[2 * i + 1] = b[i];
+  }
+  return both;
+}
+
 // A device says so once, at the call that it could not serve.
 void check_device_memory() {
   if (!gl::ran_out_of_memory()) return;
@@ -89,23 +99,25 @@ void GpuVolume::set_uniforms(const gl::Program& program, int unit) const {
 
 void GpuVolume::set_empty_space(const gl::Program& program, int unit, const ValueBand& context,
                                 const ValueBand& focus) {
-  program.set_texture("distance_maps[0]", unit, distance_map(context));
-  program.set_texture("distance_maps[1]", unit + 1, distance_map(focus));
+  program.set_texture("distance_maps", unit, distance_maps(context, focus));
   program.set("brick_size", static_cast<float>(loaded_->min_max.brick_size));
   program.set("size_bricks", loaded_->min_max.size_bricks);
 }
 
-GLuint GpuVolume::distance_map(const ValueBand& band) {
-  const auto known = std::ranges::find(distance_maps_, band, &DistanceMap::band);
+GLuint GpuVolume::distance_maps(const ValueBand& context, const ValueBand& focus) {
+  const auto known = std::ranges::find_if(distance_maps_, [&](const DistanceMaps& maps) {
+    return maps.context == context && maps.focus == focus;
+  });
   if (known != distance_maps_.end()) {
     distance_maps_.splice(distance_maps_.begin(), distance_maps_, known);
     return distance_maps_.front().texture.name();
   }
-  const auto distances = chebyshev_distance_map(loaded_->min_max, band);
   const glm::ivec3 size = loaded_->min_max.size_bricks;
-  gl::Texture3D texture(GL_R8UI, size, gl::Filtering::nearest);
-  texture.upload_slices(0, size.z, GL_RED_INTEGER, GL_UNSIGNED_BYTE, distances.data());
-  distance_maps_.push_front({band, std::move(texture)});
+  const auto texels = interleaved(chebyshev_distance_map(loaded_->min_max, context),
+                                  chebyshev_distance_map(loaded_->min_max, focus));
+  gl::Texture3D texture(GL_RG8UI, size, gl::Filtering::nearest);
+  texture.upload_slices(0, size.z, GL_RG_INTEGER, GL_UNSIGNED_BYTE, texels.data());
+  distance_maps_.push_front({context, focus, std::move(texture)});
   if (distance_maps_.size() > kKeptDistanceMaps) distance_maps_.pop_back();
   return distance_maps_.front().texture.name();
 }

@@ -39,24 +39,26 @@ class GpuVolume {
   /// Uniforms of shaders/volume.glsl; the texture goes to `unit`.
   void set_uniforms(const gl::Program& program, int unit) const;
 
-  /// Uniforms of shaders/empty_space.glsl for the bands of context and focus; the maps go to `unit`
-  /// and `unit` + 1. A map is computed at its first use and kept while it is among the most
-  /// recently used.
+  /// Uniforms of shaders/empty_space.glsl for the bands of context and focus; their maps go to
+  /// `unit`. Maps are computed at their first use and kept while they are among the most recently
+  /// used.
   void set_empty_space(const gl::Program& program, int unit, const ValueBand& context,
                        const ValueBand& focus);
 
  private:
-  struct DistanceMap {
-    ValueBand band;
+  /// One texture for both branches: a sample then costs one fetch, whichever branch it is of.
+  struct DistanceMaps {
+    ValueBand context;
+    ValueBand focus;
     gl::Texture3D texture;
   };
-  GLuint distance_map(const ValueBand& band);
+  GLuint distance_maps(const ValueBand& context, const ValueBand& focus);
 
   std::shared_ptr<const LoadedVolume> loaded_;
   gl::Texture3D texture_;
   int uploaded_slices_ = 0;
-  double stored_scale_ = 1.0;             ///< texture units per stored number
-  std::list<DistanceMap> distance_maps_;  ///< most recently used first
+  double stored_scale_ = 1.0;              ///< texture units per stored number
+  std::list<DistanceMaps> distance_maps_;  ///< most recently used first
 };
 
 }  // namespace cutaway

@@ -20,6 +20,9 @@ constexpr double kRimVoxels = 2.0;
 /// Above every stored value.
 constexpr float kNoUpperLimit = 3e38F;
 
+/// A surface that left the volume, and no layer: opacity is the last component of both.
+constexpr glm::vec4 kNothingMet(0.0F, 0.0F, 0.0F, -1.0F);
+
 constexpr std::array kModes = {LensMode::none, LensMode::cutaway, LensMode::magic};
 
 const char* mode_name(LensMode mode) {
@@ -92,7 +95,7 @@ const RayCastPass::Entry& RayCastPass::entry_for(const Lens& lens) const {
 }
 
 void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, ViewBuffers& buffers,
-                      const gl::FullscreenTriangle& triangle) const {
+                      const gl::PixelRect& region, const gl::FullscreenTriangle& triangle) const {
   const Entry& entry = entry_for(key.lens);
   const gl::Program& program = key.is_translucent() ? entry.translucent : entry.opaque;
   program.use();
@@ -100,14 +103,16 @@ void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, ViewBuffers& buf
   volume.set_empty_space(program, 1, key.surfaces[kContext].band, key.surfaces[kFocus].band);
   set_view_rays(program, key.rays);
   program.set("surface_size_px", buffers.surface_size_px());
+  program.set("pixel_size", 2.0F * glm::length(key.rays.view_up) /
+                                static_cast<float>(buffers.picture_size_px().y));
   set_search(program, key, volume);
   set_lens(program, *entry.shape, key.lens);
   if (key.is_translucent()) {
     set_looks(program, key);
     buffers.prepare_layers();
-    buffers.layers_target.bind();
+    buffers.layers_target.bind(region, kNothingMet);
   } else {
-    buffers.surface_target.bind();
+    buffers.surface_target.bind(region, kNothingMet);
   }
   triangle.draw();
 }

@@ -36,7 +36,7 @@ class RayCastPass {
  public:
   explicit RayCastPass(const gl::ShaderLibrary& shaders);
   void run(const RayCastKey& key, GpuVolume& volume, ViewBuffers& buffers,
-           const gl::FullscreenTriangle& triangle) const;
+           const gl::PixelRect& region, const gl::FullscreenTriangle& triangle) const;
 
  private:
   /// One for each shape of the lens and what it does.

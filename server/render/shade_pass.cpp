@@ -1,22 +1,38 @@
 #include "render/shade_pass.h"
 
+#include <algorithm>
+
+#include "core/check.h"
 #include "render/shading/shading_registry.h"
 
 namespace cutaway {
 
-ShadePass::ShadePass(const gl::ShaderLibrary& shaders)
-    : program_(shaders, "fullscreen.vert", "shade.frag") {}
+ShadePass::ShadePass(const gl::ShaderLibrary& shaders) {
+  for (const ShadingModel& model : shading_models()) {
+    for (const BranchIndex branch : {kContext, kFocus}) {
+      auto definitions = shader_definitions(model);
+      definitions["BRANCH"] = branch == kContext ? "CONTEXT" : "FOCUS";
+      programs_.push_back(
+          {&model, branch, gl::Program(shaders, "fullscreen.vert", "shade.frag", definitions)});
+    }
+  }
+}
 
 void ShadePass::run(const ShadeKey& key, BranchIndex index, const BranchBuffers& branch,
-                    int supersampling, const gl::FullscreenTriangle& triangle) const {
-  program_.use();
-  program_.set_texture("surface_texture", 0, branch.surface.name());
-  program_.set("branch", static_cast<int>(index));
-  program_.set("supersampling", supersampling);
-  program_.set("light_direction", key.look.light_direction);
-  set_view_rays(program_, key.rays);
-  set_shading(program_, index, key.look.shading);
-  branch.shade_target.bind();
+                    const gl::PixelRect& region, int supersampling,
+                    const gl::FullscreenTriangle& triangle) const {
+  const ShadingModel& model = find_shading_model(key.look.shading.name);
+  const auto entry = std::ranges::find_if(
+      programs_, [&](const Entry& each) { return each.model == &model && each.branch == index; });
+  check(entry != programs_.end(), "there is a program for each model and branch");
+  const gl::Program& program = entry->program;
+  program.use();
+  program.set_texture("surface_texture", 0, branch.surface.name());
+  program.set("supersampling", supersampling);
+  program.set("light_direction", key.look.light_direction);
+  set_view_rays(program, key.rays);
+  model.set_parameters(UniformStruct(program, model.name, index), key.look.shading.parameters);
+  branch.shade_target.bind(region, glm::vec4(0.0F));
   triangle.draw();
 }
 

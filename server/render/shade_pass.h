@@ -1,7 +1,10 @@
 // Second stage: one branch's surface into colour.
 #pragma once
 
+#include <vector>
+
 #include "gl/program.h"
+#include "render/shading/shading_model.h"
 #include "render/view_buffers.h"
 #include "render/view_rays.h"
 #include "scene/scene.h"
@@ -25,11 +28,17 @@ struct ShadeKey {
 class ShadePass {
  public:
   explicit ShadePass(const gl::ShaderLibrary& shaders);
-  void run(const ShadeKey& key, BranchIndex index, const BranchBuffers& branch, int supersampling,
+  void run(const ShadeKey& key, BranchIndex index, const BranchBuffers& branch,
+           const gl::PixelRect& region, int supersampling,
            const gl::FullscreenTriangle& triangle) const;
 
  private:
-  gl::Program program_;
+  struct Entry {
+    const ShadingModel* model;
+    BranchIndex branch;
+    gl::Program program;
+  };
+  std::vector<Entry> programs_;
 };
 
 }  // namespace cutaway

@@ -38,6 +38,7 @@ class ViewBuffers {
 
   bool fits(const RenderSettings& settings) const;
   glm::ivec2 picture_size_px() const { return picture_size_px_; }
+  int supersampling() const { return supersampling_; }
   glm::ivec2 surface_size_px() const { return picture_size_px_ * supersampling_; }
   glm::ivec2 luma_size_px(PixelLayout layout) const;
   glm::ivec2 chroma_size_px(PixelLayout layout) const;

@@ -47,7 +47,7 @@ BranchImage filtered_on_gpu(const BranchImage& input, const Module& filter) {
     return glm::vec4(p.normal, p.coverage > 0.0 ? p.depth_mm : -1.0);
   });
   glTextureSubImage2D(surface.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, surfaces.data());
-  pass.run({.filter = filter}, {colour, silhouette, surface}, target, triangle);
+  pass.run({.filter = filter}, {colour, silhouette, surface}, target, {{0, 0}, size}, triangle);
   std::vector<glm::vec4> result(input.pixels.size());
   glGetTextureImage(output.name(), 0, GL_RGBA, GL_FLOAT,
                     static_cast<GLsizei>(result.size() * sizeof(glm::vec4)), result.data());

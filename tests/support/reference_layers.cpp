@@ -75,8 +75,7 @@ class Accumulation {
   glm::dvec3 to_light_;
 };
 
-RayLayers cutaway_layers(const Ray& ray, const Accumulation& accumulation,
-                         const ValueBand& focus_band) {
+RayLayers cutaway_layers(const Ray& ray, const Accumulation& accumulation, const Scene& scene) {
   RayLayers layers;
   double transmittance = 1.0;
   const auto parts = ray.cutaway_parts();
@@ -84,10 +83,16 @@ RayLayers cutaway_layers(const Ray& ray, const Accumulation& accumulation,
   const bool reaches_lens = !parts[1].stretch.is_empty() && transmittance > kLeastTransmittance;
   accumulation.add(parts[1], transmittance, layers);
   accumulation.add(parts[2], transmittance, layers);
-  const bool taken =
-      reaches_lens ? ray.goes_on_behind(parts[1], focus_band) : layers.context.is_met;
+  const bool taken = reaches_lens ? ray.goes_on_outside(parts[1], scene.focus.surface.band)
+                                  : layers.context.is_met;
   layers.focus.within_outline = layers.focus.is_met || taken;
-  layers.context.within_outline = layers.context.is_met || layers.focus.is_met;
+  RayPart context_in_lens = ray.whole(BranchName::context);
+  context_in_lens.stretch = parts[1].stretch;
+  context_in_lens.starts_open = parts[1].stretch.begin_mm == 0.0;
+  layers.context.within_outline =
+      layers.context.is_met || layers.focus.is_met ||
+      (!context_in_lens.stretch.is_empty() &&
+       ray.first_surface(context_in_lens, scene.context.surface.band).has_value());
   return layers;
 }
 
@@ -106,13 +111,13 @@ RayLayers magic_layers(const Ray& ray, const Accumulation& accumulation) {
 
 }  // namespace
 
-RayLayers trace(const Scene& scene, const Volume& volume, const ViewRay& view_ray, double step_mm) {
-  const Ray ray(scene, volume, view_ray, step_mm);
+RayLayers trace(const Scene& scene, const Volume& volume, const ViewRay& view_ray, double step_mm,
+                int picture_height_px) {
+  const Ray ray(scene, volume, view_ray, step_mm, picture_height_px);
   if (ray.in_volume().is_empty()) return {};
   const Accumulation accumulation(scene, ray);
   const bool is_magic = scene.lens.mode == LensMode::magic && scene.lens.radius_mm > 0.0;
-  return is_magic ? magic_layers(ray, accumulation)
-                  : cutaway_layers(ray, accumulation, scene.focus.surface.band);
+  return is_magic ? magic_layers(ray, accumulation) : cutaway_layers(ray, accumulation, scene);
 }
 
 }  // namespace cutaway::reference

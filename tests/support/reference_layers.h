@@ -19,6 +19,7 @@ struct RayLayers {
   BranchLayers focus;
 };
 
-RayLayers trace(const Scene& scene, const Volume& volume, const ViewRay& ray, double step_mm);
+RayLayers trace(const Scene& scene, const Volume& volume, const ViewRay& ray, double step_mm,
+                int picture_height_px);
 
 }  // namespace cutaway::reference

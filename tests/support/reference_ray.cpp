@@ -5,12 +5,15 @@
 
 namespace cutaway::reference {
 
-Ray::Ray(const Scene& scene, const Volume& volume, const ViewRay& ray, double step_mm)
-    : scene_lens_(scene.lens),
+Ray::Ray(const Scene& scene, const Volume& volume, const ViewRay& ray, double step_mm,
+         int picture_height_px)
+    : camera_(scene.camera),
+      scene_lens_(scene.lens),
       volume_(volume),
       ray_(ray),
       to_index_(patient_to_index(volume.geometry)),
       step_mm_(step_mm),
+      picture_height_px_(picture_height_px),
       box_(box_interval()) {}
 
 glm::dvec3 Ray::position_mm(double distance_mm) const {
@@ -57,12 +60,29 @@ bool Ray::is_under_lens() const {
   return !lens.is_empty() && lens.end_mm > 0.0;
 }
 
-bool Ray::goes_on_behind(const RayPart& in_lens, const ValueBand& band) const {
+// The lens' surface two pixels away is at most so much deeper, and the focus some voxels more.
+double Ray::rim_depth_mm(const RayPart& in_lens) const {
   const glm::dvec3 spacing = volume_.geometry.spacing_mm;
-  const double rim_mm = 2.0 * std::min({spacing.x, spacing.y, spacing.z});
-  for (const double share : {1.0 / 3.0, 2.0 / 3.0, 1.0}) {
-    const double at_mm = in_lens.stretch.end_mm + share * rim_mm;
-    if (at_mm < box_.end_mm && band.contains(value(at_mm))) return true;
+  const double two_voxels_mm = 2.0 * std::min({spacing.x, spacing.y, spacing.z});
+  const double pixel_mm = camera_.projection == Projection::orthographic
+                              ? camera_.view_height_mm / picture_height_px_
+                              : in_lens.stretch.end_mm * 2.0 *
+                                    std::tan(0.5 * glm::radians(camera_.vertical_fov_degrees)) /
+                                    picture_height_px_;
+  const double half_chord_mm = 0.5 * (in_lens.stretch.end_mm - in_lens.stretch.begin_mm);
+  const double deeper_mm =
+      std::sqrt(half_chord_mm * half_chord_mm + 2.0 * scene_lens_.radius_mm * 2.0 * pixel_mm) -
+      half_chord_mm;
+  return two_voxels_mm + 2.0 * pixel_mm + deeper_mm;
+}
+
+bool Ray::goes_on_outside(const RayPart& in_lens, const ValueBand& band) const {
+  const double depth_mm = rim_depth_mm(in_lens);
+  for (int i = 1; i <= 8; ++i) {
+    const double behind_mm = in_lens.stretch.end_mm + depth_mm * i / 8.0;
+    const double before_mm = in_lens.stretch.begin_mm - depth_mm * i / 8.0;
+    if (behind_mm < box_.end_mm && band.contains(value(behind_mm))) return true;
+    if (before_mm > box_.begin_mm && band.contains(value(before_mm))) return true;
   }
   return false;
 }

@@ -35,7 +35,9 @@ struct SurfaceHit {
 
 class Ray {
  public:
-  Ray(const Scene& scene, const Volume& volume, const ViewRay& ray, double step_mm);
+  /// `picture_height_px` tells how far apart the rays of neighbouring pixels are.
+  Ray(const Scene& scene, const Volume& volume, const ViewRay& ray, double step_mm,
+      int picture_height_px);
 
   const Interval& in_volume() const { return box_; }
   glm::dvec3 direction() const { return ray_.direction; }
@@ -49,8 +51,8 @@ class Ray {
   /// In front of the cutaway's lens, inside, behind.
   std::array<RayPart, 3> cutaway_parts() const;
   bool is_under_lens() const;
-  /// Whether the band is met within two voxels behind the lens: then the lens has cut it off.
-  bool goes_on_behind(const RayPart& in_lens, const ValueBand& band) const;
+  /// Whether the band is met just before or behind the lens: then the lens has cut it off.
+  bool goes_on_outside(const RayPart& in_lens, const ValueBand& band) const;
 
   /// The first point in the branch's band within the part.
   std::optional<SurfaceHit> first_surface(const RayPart& part, const ValueBand& band) const;
@@ -61,15 +63,18 @@ class Ray {
   glm::dvec3 facing(glm::dvec3 normal) const;
   Interval box_interval() const;
   Interval lens_interval() const;
+  double rim_depth_mm(const RayPart& in_lens) const;
   double bisect(double near_mm, double far_mm, const ValueBand& band) const;
   std::optional<glm::dvec3> lens_face(double distance_mm) const;
   glm::dvec3 box_face() const;
 
+  const Camera& camera_;
   const Lens& scene_lens_;
   const Volume& volume_;
   ViewRay ray_;
   glm::dmat4 to_index_;
   double step_mm_;
+  int picture_height_px_;
   Interval box_;
 };
 

@@ -22,7 +22,8 @@ Image<RayLayers> cast_rays(const Scene& scene, const Volume& volume, const Setti
   const double step_mm = settings.step_voxels * std::min({spacing.x, spacing.y, spacing.z});
   for (int y = 0; y < rays.size_px.y; ++y) {
     for (int x = 0; x < rays.size_px.x; ++x)
-      rays.at({x, y}) = trace(scene, volume, ray_of(scene, {x, y}, rays.size_px), step_mm);
+      rays.at({x, y}) = trace(scene, volume, ray_of(scene, {x, y}, rays.size_px), step_mm,
+                              settings.picture_size_px.y);
   }
   return rays;
 }

@@ -7,7 +7,7 @@ const int CONTEXT = 0;
 const int FOCUS = 1;
 
 const float REASON_LEFT_VOLUME = -1.0;   // neither branch holds the pixel
-const float REASON_OTHER_BRANCH = -2.0;  // the lens has given the pixel to the other branch or cut this one off
+const float REASON_OTHER_BRANCH = -2.0;  // the lens has given the pixel to the other branch or taken this one away
 const float REASON_LEFT_LENS = -3.0;     // focus: the lens was crossed and nothing was hit
 
 bool holds(vec4 surface) { return surface.w >= 0.0; }

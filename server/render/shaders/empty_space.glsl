@@ -2,14 +2,14 @@
 // that reaches the iso-value lets a sample skip to the exit of the cube of 2D-1 bricks around it.
 // Source: Deakin and Knackstedt, "Accelerated Volume Rendering with Chebyshev Distance Maps", SIGGRAPH Asia 2019.
 
-uniform usampler3D distance_maps[2];  // by branch
+uniform usampler3D distance_maps;  // a component for each branch
 uniform float brick_size;             // cells
 uniform ivec3 size_bricks;
 uniform bool skip_empty_space;
 
 int brick_distance(int branch, ivec3 brick) {
-  return branch == FOCUS ? int(texelFetch(distance_maps[FOCUS], brick, 0).r)
-                         : int(texelFetch(distance_maps[CONTEXT], brick, 0).r);
+  uvec2 distances = texelFetch(distance_maps, brick, 0).rg;
+  return int(branch == FOCUS ? distances.y : distances.x);
 }
 
 // Distance along the ray (mm) up to which nothing can be hit, from the sample at `index`; 0 where it must be looked at.

@@ -2,7 +2,8 @@
 
 uniform bool flat_caps;   // material cut by the lens shows a face of the lens; else the gradient's normal
 uniform bool open_caps;   // material cut by the lens shows nothing: its surface must be entered
-uniform float rim_mm;     // how far behind the lens focus is looked for that the lens has cut off
+uniform float rim_mm;     // how far beyond the lens focus is looked for that the lens has cut off, at the least
+uniform float pixel_size; // perspective: mm a pixel per mm of distance, orthographic: mm a pixel
 
 // Values of LENS_MODE, which is defined for each program: a test of a uniform would run both sides in software.
 #define LENS_NONE 0
@@ -72,14 +73,26 @@ vec3 face_at_begin(Ray ray, Course course, float begin_mm) {
   return begin_mm > course.volume_mm.x ? lens_face(ray, begin_mm) : box_face(ray, begin_mm);
 }
 
-// Whether a ray that has met no focus inside of the lens would do so just behind it. Then the lens has cut the focus off
+// How much deeper the lens' surface lies two pixels away, at the most: towards its rim that grows without bound. A surface
+// that runs out of the lens between two pixels goes on within this length of the lens' end.
+float rim_depth_mm(Course course) {
+  float reach_mm = 2.0 * pixel_size * (is_perspective ? course.lens_mm.y : 1.0);
+  float half_chord_mm = 0.5 * (course.lens_mm.y - course.lens_mm.x);
+  float deeper_mm = sqrt(half_chord_mm * half_chord_mm + 2.0 * lens_radius_mm * reach_mm) - half_chord_mm;
+  return rim_mm + reach_mm + deeper_mm;
+}
+
+// Whether a ray that has met no focus inside of the lens would do so just outside. Then the lens has cut the focus off
 // there, and its end is no outline of the anatomy.
 bool is_cut_off(Ray ray, Course course, bool is_asked) {
-  const int SAMPLES = 3;
+  const int SAMPLES = 8;
+  float step_outside_mm = rim_depth_mm(course) / float(SAMPLES);
   bool found = false;
   for (int i = 1; i <= SAMPLES && is_asked && !found; ++i) {
-    float at_mm = course.lens_mm.y + rim_mm * float(i) / float(SAMPLES);
-    found = at_mm < course.volume_mm.y && band_side(FOCUS, value_along(ray, at_mm)) == IN_BAND;
+    float behind_mm = course.lens_mm.y + float(i) * step_outside_mm;
+    float before_mm = course.lens_mm.x - float(i) * step_outside_mm;
+    found = (behind_mm < course.volume_mm.y && band_side(FOCUS, value_along(ray, behind_mm)) == IN_BAND) ||
+            (before_mm > course.volume_mm.x && band_side(FOCUS, value_along(ray, before_mm)) == IN_BAND);
   }
   return found;
 }

@@ -27,7 +27,8 @@ void cast_cutaway(Ray ray, vec2 volume_mm) {
   bool is_focus = is_hit && hit.branch == FOCUS;
   bool reaches_lens = !is_hit || hit.distance_mm >= course.lens_mm.y;
   float reason = focus_reason(ray, course, reaches_lens && !is_focus, is_hit);
-  vec4 surface = surface_of(hit, REASON_LEFT_VOLUME);
+  bool is_taken = is_context_in_lens(ray, course, !is_hit);
+  vec4 surface = surface_of(hit, is_taken ? REASON_OTHER_BRANCH : REASON_LEFT_VOLUME);
   context_surface = is_focus ? vec4(0.0, 0.0, 0.0, REASON_OTHER_BRANCH) : surface;
   focus_surface = is_focus ? surface : vec4(0.0, 0.0, 0.0, reason);
 }

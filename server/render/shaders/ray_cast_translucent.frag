@@ -84,7 +84,8 @@ void cast_cutaway(Ray ray, vec2 volume_mm, inout Layers context, inout Layers fo
   add_part(ray, course, BEHIND_LENS, transmittance, context);
   bool meets_context = context.surface.w >= 0.0;
   if (focus.surface.w < 0.0) focus.surface.w = focus_reason(ray, course, reaches_lens, meets_context);
-  if (!meets_context && focus.surface.w >= 0.0) context.surface.w = REASON_OTHER_BRANCH;
+  bool is_taken = focus.surface.w >= 0.0 || is_context_in_lens(ray, course, !meets_context);
+  if (!meets_context && is_taken) context.surface.w = REASON_OTHER_BRANCH;
 }
 
 void cast_magic(Ray ray, vec2 volume_mm, inout Layers context, inout Layers focus) {

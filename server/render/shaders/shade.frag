@@ -1,12 +1,13 @@
 #version 450 core
-// Turns one branch's surface into colour. Each pixel averages supersampling^2 surface samples.
+// Turns one branch's surface into colour: a program for each BRANCH and each shading model, whose file and function are
+// defined. Each pixel averages supersampling^2 surface samples.
 
 #include "branches.glsl"
-#include "shade.glsl"
+#include "light.glsl"
 #include "view_ray.glsl"
+#include SHADING_FILE
 
 uniform sampler2D surface_texture;
-uniform int branch;
 uniform int supersampling;
 
 layout(location = 0) out vec4 shaded;               // display-encoded colour, not premultiplied; coverage
@@ -24,7 +25,7 @@ void main() {
       vec4 surface = texelFetch(surface_texture, pixel, 0);
       if (holds(surface)) {
         vec3 to_viewer = -view_direction(vec2(pixel) + 0.5, size_px);
-        colour_sum += shade(branch, surface.xyz, to_viewer);
+        colour_sum += SHADE(BRANCH, surface.xyz, to_viewer);
         held += 1.0;
       } else if (surface.w == REASON_OTHER_BRANCH) {
         taken_by_lens += 1.0;

@@ -79,6 +79,12 @@ Bracket bracket_surface(Ray ray, Course course, int part, int last) {
   return bracket;
 }
 
+// Whether the context is met only where the lens has taken it away: no outline of the anatomy either.
+bool is_context_in_lens(Ray ray, Course course, bool is_asked) {
+  Course lens = outside_lens(is_asked ? course.lens_mm : vec2(0.0));
+  return bracket_surface(ray, lens, BEFORE_LENS, BEFORE_LENS).far_mm != NO_HIT;
+}
+
 // The crossing of a limit in the bracket: regula falsi in the Illinois variant, which halves the weight of an end that
 // stays, so that both ends close in.
 float refine(Ray ray, Bracket bracket) {

@@ -15,6 +15,18 @@ std::span<const ShadingModel> shading_models() {
   return models;
 }
 
+const ShadingModel& find_shading_model(std::string_view name) {
+  const auto models = shading_models();
+  const auto model = std::ranges::find(models, name, &ShadingModel::name);
+  check(model != models.end(), "no shading model " + std::string(name));
+  return *model;
+}
+
+std::map<std::string, std::string> shader_definitions(const ShadingModel& model) {
+  return {{"SHADING_FILE", '"' + std::string(model.shader) + '"'},
+          {"SHADE", std::string("shade_") + model.name}};
+}
+
 std::string shading_models_glsl() {
   std::string text = "// Made from the registry of shading models.\n";
   std::string cases;
@@ -30,13 +42,11 @@ std::string shading_models_glsl() {
 }
 
 void set_shading(const gl::Program& program, BranchIndex branch, const Module& module) {
-  const auto models = shading_models();
-  const auto model = std::ranges::find_if(
-      models, [&](const ShadingModel& each) { return each.name == module.name; });
-  check(model != models.end(), "no shading model " + module.name);
+  const ShadingModel& model = find_shading_model(module.name);
   const std::string index = "[" + std::to_string(branch) + "]";
-  program.set(("shading_model" + index).c_str(), static_cast<int>(model - models.begin()));
-  model->set_parameters(UniformStruct(program, model->name, branch), module.parameters);
+  const auto number = static_cast<int>(&model - shading_models().data());
+  program.set(("shading_model" + index).c_str(), number);
+  model.set_parameters(UniformStruct(program, model.name, branch), module.parameters);
 }
 
 }  // namespace cutaway

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "render/shading/shading_model.h"
 #include "render/view_buffers.h"
@@ -11,6 +13,12 @@ namespace cutaway {
 
 /// Every shading model; its parameters' names, ranges and defaults are in the scene's schema.
 std::span<const ShadingModel> shading_models();
+
+/// Throws CheckFailed where there is none of that name.
+const ShadingModel& find_shading_model(std::string_view name);
+
+/// With these a shader's `#include SHADING_FILE` is the model's file and `SHADE` its function.
+std::map<std::string, std::string> shader_definitions(const ShadingModel& model);
 
 /// The text of shading_models.glsl: every model, and `vec3 shade(int branch, vec3 normal, vec3
 /// to_viewer)`, which calls the branch's.

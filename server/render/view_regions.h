@@ -1,0 +1,25 @@
+// Where in a picture anything of a branch can be: stages draw there only.
+#pragma once
+
+#include <array>
+
+#include "gl/framebuffer.h"
+#include "render/view_buffers.h"
+#include "scene/scene.h"
+#include "volume/geometry.h"
+
+namespace cutaway {
+
+/// In pixels of the picture, each with a margin of what a 3 x 3 filter reads beside the branch.
+struct ViewRegions {
+  gl::PixelRect volume;
+  std::array<gl::PixelRect, kBranches> branches;  ///< the focus': empty where there is no lens
+};
+
+ViewRegions view_regions(const Scene& scene, const VolumeGeometry& geometry,
+                         glm::ivec2 picture_size_px);
+
+/// The same region of a picture that has `factor` times the pixels each way.
+gl::PixelRect scaled(const gl::PixelRect& region, int factor);
+
+}  // namespace cutaway
