@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "net/settings.h"
+#include "render/render_thread.h"
 #include "session/settings.h"
 
 namespace cutaway {
@@ -24,7 +25,7 @@ struct VolumeSettings {
 struct RendererSettings {
   bool require_gpu = false;
   int encode_threads = 2;
-  std::uint64_t volume_bytes = std::uint64_t{8} << 30;  ///< textures of volumes on the device
+  RenderLimits limits;
 };
 
 struct Config {

@@ -136,7 +136,12 @@ std::vector<ConfigKey> other_keys() {
        plain<BooleanKey>([](Config & c) -> auto& { return c.renderer.require_gpu; })},
       {"renderer", "volume_bytes",
        integer(
-           kMillion, 1024 * kTera, [](Config & c) -> auto& { return c.renderer.volume_bytes; })},
+           kMillion, 1024 * kTera,
+           [](Config & c) -> auto& { return c.renderer.limits.volume_bytes; })},
+      {"renderer", "view_bytes",
+       integer(
+           kMillion, 1024 * kTera,
+           [](Config & c) -> auto& { return c.renderer.limits.view_bytes; })},
       {"renderer", "encode_threads",
        integer(
            1, 64, [](Config & c) -> auto& { return c.renderer.encode_threads; })},

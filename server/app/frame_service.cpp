@@ -84,7 +84,7 @@ FrameService::FrameService(const RendererSettings& settings, FindVolume find_vol
     : find_volume_(std::move(find_volume)),
       encoders_(static_cast<std::size_t>(settings.encode_threads)),
       renderer_(std::make_unique<RenderThread>(
-          gl::ContextOptions{.require_gpu = settings.require_gpu}, settings.volume_bytes)) {}
+          gl::ContextOptions{.require_gpu = settings.require_gpu}, settings.limits)) {}
 
 FrameService::~FrameService() {
   // The renderer first: what it still had waiting ends on the encoders' pool.
@@ -97,7 +97,8 @@ RenderRequest FrameService::render_request(const FrameRequest& request) const {
           .volume = find_volume_(request.scene->volume),
           .scene = request.scene,
           .settings = settings_for(request),
-          .label = std::make_shared<const FrameRequest>(request)};
+          .label = std::make_shared<const FrameRequest>(request),
+          .yields = request.quality.still};
 }
 
 void FrameService::submit(FrameRequest request, Done done) {

@@ -2,7 +2,6 @@
 
 #include <future>
 
-#include "app/config.h"
 #include "app/output_file.h"
 #include "app/picture_size.h"
 #include "app/scene_file.h"
@@ -26,7 +25,7 @@ std::string volume_of(const RenderCommand& command, const Json& document) {
 }
 
 Pixels render_once(const RenderCommand& command, RenderRequest request) {
-  RenderThread renderer({.require_gpu = command.require_gpu}, RendererSettings{}.volume_bytes);
+  RenderThread renderer({.require_gpu = command.require_gpu}, RenderLimits{});
   log().debug("OpenGL renderer: {}{}", renderer.info().renderer,
               renderer.info().is_software ? " (software)" : "");
   std::promise<RenderOutcome> promise;

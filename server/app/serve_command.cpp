@@ -19,9 +19,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// One client's still frame holds up everybody else's frames for as long as it takes: about half a
-/// second on two cores.
+/// A still that takes about half a second on two cores.
 constexpr std::int64_t kStillRaysInSoftware = 2'100'000;
+/// Frames are drawn in turns, but a picture's buffers are made at once: those of 2560 x 1600 pixels
+/// take a third of a second where the processor has to fill them.
+constexpr std::int64_t kViewportPixelsInSoftware = 4'096'000;
 
 /// The parts of a running server. The listener comes first, so that an address that cannot be had
 /// is said at once; nobody is answered before run. What is declared later is destroyed earlier:
@@ -46,15 +48,16 @@ class Serving {
   std::unique_ptr<VolumeService> volumes_;
 };
 
-std::string capabilities_text(const Config& config, const RendererDescription& renderer) {
+std::string capabilities_text(const Config& config, const SessionSettings& session,
+                              const RendererDescription& renderer) {
   return json_text(capabilities_message(
       {.server = "cutaway " CUTAWAY_VERSION,
        .renderer = renderer.name,
        .software_renderer = renderer.software,
        .limits = {.message_bytes = static_cast<std::int64_t>(config.net.message_bytes),
-                  .viewport_pixels = config.session.viewport_pixels,
-                  .viewport_side_px = config.session.viewport_side_px,
-                  .frames_in_flight = config.session.frames_in_flight},
+                  .viewport_pixels = session.viewport_pixels,
+                  .viewport_side_px = session.viewport_side_px,
+                  .frames_in_flight = session.frames_in_flight},
        .notice = config.notice}));
 }
 
@@ -91,9 +94,13 @@ Serving::Serving(const Config& config)
   volumes_ = std::make_unique<VolumeService>(with_reader(config.volumes), frames_->upload_target());
   const RendererDescription renderer = frames_->describe();
   say_renderer(renderer);
-  if (renderer.software)
-    session_settings_.still_rays = std::min(session_settings_.still_rays, kStillRaysInSoftware);
-  capabilities_ = std::make_shared<const std::string>(capabilities_text(config, renderer));
+  if (renderer.software) {
+    SessionSettings& settings = session_settings_;
+    settings.still_rays = std::min(settings.still_rays, kStillRaysInSoftware);
+    settings.viewport_pixels = std::min(settings.viewport_pixels, kViewportPixelsInSoftware);
+  }
+  capabilities_ =
+      std::make_shared<const std::string>(capabilities_text(config, session_settings_, renderer));
 }
 
 Server::Hooks Serving::hooks() {

@@ -29,13 +29,16 @@ void Framebuffer::bind() const {
   glDisable(GL_SCISSOR_TEST);
 }
 
-void Framebuffer::bind(const PixelRect& region, const glm::vec4& around) const {
+void Framebuffer::bind(const PixelRect& region) const {
   bind();
-  if (region == PixelRect{{0, 0}, size_px_}) return;
-  for (int i = 0; i < attachments_; ++i) glClearBufferfv(GL_COLOR, i, &around[0]);
   const glm::ivec2 size = glm::max(region.end - region.begin, glm::ivec2(0));
   glEnable(GL_SCISSOR_TEST);
   glScissor(region.begin.x, region.begin.y, size.x, size.y);
+}
+
+void Framebuffer::clear(const glm::vec4& value) const {
+  bind();
+  for (int i = 0; i < attachments_; ++i) glClearBufferfv(GL_COLOR, i, &value[0]);
 }
 
 FullscreenTriangle::FullscreenTriangle() {

@@ -25,8 +25,11 @@ class Framebuffer {
 
   /// Binds it for drawing, with a viewport of its whole size.
   void bind() const;
-  /// The same, but what is drawn falls into `region` only; all around it is set to `around`.
-  void bind(const PixelRect& region, const glm::vec4& around) const;
+  /// The same, but nothing is drawn outside of `region`.
+  void bind(const PixelRect& region) const;
+  /// Sets every pixel of every attachment.
+  void clear(const glm::vec4& value) const;
+  glm::ivec2 size_px() const { return size_px_; }
 
  private:
   FramebufferHandle handle_;

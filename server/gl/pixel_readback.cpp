@@ -7,8 +7,6 @@
 
 namespace cutaway::gl {
 
-PixelReadback::PixelReadback(PixelReadback&& other) noexcept { *this = std::move(other); }
-
 PixelReadback& PixelReadback::operator=(PixelReadback&& other) noexcept {
   std::swap(buffer_, other.buffer_);
   std::swap(mapped_, other.mapped_);
@@ -16,10 +14,6 @@ PixelReadback& PixelReadback::operator=(PixelReadback&& other) noexcept {
   std::swap(sizes_, other.sizes_);
   std::swap(fence_, other.fence_);
   return *this;
-}
-
-PixelReadback::~PixelReadback() {
-  if (fence_ != nullptr) glDeleteSync(fence_);
 }
 
 void PixelReadback::reserve(std::size_t bytes) {
@@ -59,22 +53,13 @@ void PixelReadback::start(std::span<const Source> sources) {
     offset += sizes_[i];
   }
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  glFlush();
-}
-
-bool PixelReadback::is_ready() const {
-  const GLenum state = glClientWaitSync(fence_, 0, 0);
-  return state == GL_ALREADY_SIGNALED || state == GL_CONDITION_SATISFIED;
+  fence_ = Fence::insert();
 }
 
 std::vector<std::vector<std::uint8_t>> PixelReadback::finish() {
   check(is_pending(), "a transfer is pending");
-  constexpr GLuint64 kSecond = 1'000'000'000;
-  GLenum state = GL_TIMEOUT_EXPIRED;
-  while (state == GL_TIMEOUT_EXPIRED)
-    state = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, kSecond);
-  glDeleteSync(std::exchange(fence_, nullptr));
+  fence_.wait();
+  fence_ = Fence();
   std::vector<std::vector<std::uint8_t>> pixels;
   const std::uint8_t* from = mapped_;
   for (const std::size_t size : sizes_) {

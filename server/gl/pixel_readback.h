@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "gl/fence.h"
 #include "gl/framebuffer.h"
 
 namespace cutaway::gl {
@@ -23,16 +25,17 @@ class PixelReadback {
   /// Starts the transfer of all sources, one after the other, rows top first and tightly packed.
   void start(std::span<const Source> sources);
 
-  bool is_pending() const { return fence_ != nullptr; }
+  bool is_pending() const { return fence_.is_set(); }
   /// True once the pixels have arrived; never waits.
-  bool is_ready() const;
+  bool is_ready() const { return fence_.is_reached(); }
+  /// What its buffer takes on the device.
+  std::size_t capacity() const { return capacity_; }
   /// Waits until they have, then copies them out, one vector per source.
   std::vector<std::vector<std::uint8_t>> finish();
 
   PixelReadback() = default;
-  PixelReadback(PixelReadback&& other) noexcept;
+  PixelReadback(PixelReadback&& other) noexcept { *this = std::move(other); }
   PixelReadback& operator=(PixelReadback&& other) noexcept;
-  ~PixelReadback();
 
  private:
   void reserve(std::size_t bytes);
@@ -40,7 +43,7 @@ class PixelReadback {
   const std::uint8_t* mapped_ = nullptr;
   std::size_t capacity_ = 0;
   std::vector<std::size_t> sizes_;
-  GLsync fence_ = nullptr;
+  Fence fence_;
 };
 
 }  // namespace cutaway::gl

@@ -1,5 +1,6 @@
 #include "gl/texture.h"
 
+#include "core/check.h"
 #include "gl/device_memory.h"
 
 namespace cutaway::gl {
@@ -18,12 +19,33 @@ TextureHandle create_texture(GLenum target, Filtering filtering) {
   return TextureHandle(name);
 }
 
+std::uint64_t texel_bytes(GLenum internal_format) {
+  switch (internal_format) {
+    case GL_RGBA32F:
+      return 16;
+    case GL_RGBA16F:
+      return 8;
+    case GL_RGBA8:
+      return 4;
+    default:
+      check_equal(internal_format, GLenum{GL_R8}, "the size of each format in use is known");
+      return 1;
+  }
+}
+
 }  // namespace
 
 Texture2D::Texture2D(GLenum internal_format, glm::ivec2 size_px, Filtering filtering)
-    : handle_(create_texture(GL_TEXTURE_2D, filtering)), size_px_(size_px) {
+    : handle_(create_texture(GL_TEXTURE_2D, filtering)),
+      size_px_(size_px),
+      internal_format_(internal_format) {
   glTextureStorage2D(name(), 1, internal_format, size_px.x, size_px.y);
   throw_if_out_of_memory("a picture");
+}
+
+std::uint64_t Texture2D::bytes() const {
+  if (name() == 0) return 0;
+  return std::uint64_t(size_px_.x) * size_px_.y * texel_bytes(internal_format_);
 }
 
 Texture3D::Texture3D(GLenum internal_format, glm::ivec3 size_texels, Filtering filtering)

@@ -1,6 +1,7 @@
 // Textures with immutable storage.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 
 #include "gl/handle.h"
@@ -17,10 +18,13 @@ class Texture2D {
 
   GLuint name() const { return handle_.name(); }
   glm::ivec2 size_px() const { return size_px_; }
+  /// What it takes on the device.
+  std::uint64_t bytes() const;
 
  private:
   TextureHandle handle_;
   glm::ivec2 size_px_{0};
+  GLenum internal_format_ = 0;
 };
 
 class Texture3D {

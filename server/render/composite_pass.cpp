@@ -14,13 +14,13 @@ CompositePass::CompositePass(const gl::ShaderLibrary& shaders)
 }
 
 void CompositePass::run(const CompositeKey& key, const gl::Framebuffer& target,
-                        const gl::FullscreenTriangle& triangle) const {
+                        const gl::PixelRect& strip, const gl::FullscreenTriangle& triangle) const {
   const gl::Program& program = prepared(key);
   program.use();
   program.set_texture("context_colour", 0, key.context_texture->name());
   program.set_texture("focus_colour", 1, key.focus_texture->name());
   program.set("background_colour", glm::vec3(key.background.colour));
-  target.bind();
+  target.bind(strip);
   triangle.draw();
 }
 

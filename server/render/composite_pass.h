@@ -32,7 +32,7 @@ struct CompositeKey {
 class CompositePass {
  public:
   explicit CompositePass(const gl::ShaderLibrary& shaders);
-  void run(const CompositeKey& key, const gl::Framebuffer& target,
+  void run(const CompositeKey& key, const gl::Framebuffer& target, const gl::PixelRect& strip,
            const gl::FullscreenTriangle& triangle) const;
 
  private:

@@ -6,7 +6,7 @@ ConvertPass::ConvertPass(const gl::ShaderLibrary& shaders)
     : luma_(shaders, "fullscreen.vert", "convert_luma.frag"),
       chroma_(shaders, "fullscreen.vert", "convert_chroma.frag") {}
 
-void ConvertPass::run(PixelLayout layout, ViewBuffers& buffers,
+void ConvertPass::run(PixelLayout layout, const ViewBuffers& buffers,
                       const gl::FullscreenTriangle& triangle) {
   luma_.use();
   luma_.set_texture("picture", 0, buffers.picture.texture.name());

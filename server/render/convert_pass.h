@@ -12,7 +12,7 @@ class ConvertPass {
  public:
   explicit ConvertPass(const gl::ShaderLibrary& shaders);
   /// Fills the planes of `layout`, a YCbCr one.
-  void run(PixelLayout layout, ViewBuffers& buffers, const gl::FullscreenTriangle& triangle);
+  void run(PixelLayout layout, const ViewBuffers& buffers, const gl::FullscreenTriangle& triangle);
 
  private:
   gl::Program luma_;

@@ -7,8 +7,9 @@
 
 namespace cutaway {
 
-GpuVolume& DeviceVolumes::use(const std::shared_ptr<const LoadedVolume>& loaded) {
-  const auto known = std::ranges::find(volumes_, loaded.get(), &GpuVolume::identity);
+std::shared_ptr<GpuVolume> DeviceVolumes::use(const std::shared_ptr<const LoadedVolume>& loaded) {
+  const auto known = std::ranges::find_if(
+      volumes_, [&](const auto& volume) { return volume->identity() == loaded.get(); });
   if (known != volumes_.end()) {
     volumes_.splice(volumes_.begin(), volumes_, known);
     return volumes_.front();
@@ -20,10 +21,10 @@ GpuVolume& DeviceVolumes::use(const std::shared_ptr<const LoadedVolume>& loaded)
 }
 
 // The limit is what we may take; what the device has left, only trying tells.
-GpuVolume DeviceVolumes::place(const std::shared_ptr<const LoadedVolume>& loaded) {
+std::shared_ptr<GpuVolume> DeviceVolumes::place(const std::shared_ptr<const LoadedVolume>& loaded) {
   while (true) {
     try {
-      return {loaded, max_texture_size_};
+      return std::make_shared<GpuVolume>(loaded, max_texture_size_);
     } catch (const Error& error) {
       if (error.detail().code != "too-large" || !drop_oldest()) throw;
     }
@@ -37,17 +38,17 @@ bool DeviceVolumes::drop_oldest() {
 }
 
 void DeviceVolumes::drop(const LoadedVolume* identity) {
-  std::erase_if(volumes_, [=](const GpuVolume& volume) { return volume.identity() == identity; });
+  std::erase_if(volumes_, [=](const auto& volume) { return volume->identity() == identity; });
 }
 
 void DeviceVolumes::drop_unwanted() {
-  std::erase_if(volumes_, [](const GpuVolume& volume) { return !volume.is_wanted(); });
+  std::erase_if(volumes_, [](const auto& volume) { return !volume->is_wanted(); });
 }
 
 std::uint64_t DeviceVolumes::used_bytes() const {
   return std::accumulate(volumes_.begin(), volumes_.end(), std::uint64_t{0},
-                         [](std::uint64_t sum, const GpuVolume& volume) {
-                           return sum + GpuVolume::texture_bytes(volume.volume());
+                         [](std::uint64_t sum, const auto& volume) {
+                           return sum + GpuVolume::texture_bytes(volume->volume());
                          });
 }
 

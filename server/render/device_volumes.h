@@ -16,22 +16,22 @@ class DeviceVolumes {
   DeviceVolumes(int max_texture_size, std::uint64_t bytes)
       : max_texture_size_(max_texture_size), bytes_(bytes) {}
 
-  /// The volume, with room for it made where it is not there yet; complete or not. The reference
-  /// holds until the next call. Throws Error "volume-refused" or "too-large" when the device could
-  /// not hold it alone.
-  GpuVolume& use(const std::shared_ptr<const LoadedVolume>& loaded);
+  /// The volume, with room for it made where it is not there yet; complete or not. Whoever goes on
+  /// using it holds it: beyond the limit, if need be. Throws Error "volume-refused" or "too-large"
+  /// when the device could not hold it alone.
+  std::shared_ptr<GpuVolume> use(const std::shared_ptr<const LoadedVolume>& loaded);
   void drop(const LoadedVolume* identity);
   void drop_unwanted();
 
   std::uint64_t used_bytes() const;
 
  private:
-  GpuVolume place(const std::shared_ptr<const LoadedVolume>& loaded);
+  std::shared_ptr<GpuVolume> place(const std::shared_ptr<const LoadedVolume>& loaded);
   bool drop_oldest();
 
   int max_texture_size_;
   std::uint64_t bytes_;
-  std::list<GpuVolume> volumes_;  ///< the most recently used first
+  std::list<std::shared_ptr<GpuVolume>> volumes_;  ///< the most recently used first
 };
 
 }  // namespace cutaway

@@ -8,6 +8,9 @@ namespace cutaway {
 
 namespace {
 
+/// Of a ray, in units of a pixel of a simple pass.
+constexpr int kRayCost = 4;
+
 /// The lens as far as rays are concerned: moving a slider of the composite casts none.
 Lens region_of(const Lens& lens) {
   const Lens defaults;
@@ -70,99 +73,140 @@ FramePipeline::FramePipeline()
       composite_pass_(shaders_),
       convert_pass_(shaders_) {}
 
-void FramePipeline::render(ViewState& view, const Scene& scene, GpuVolume& volume,
-                           const RenderSettings& settings) {
+FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& volume,
+                              const RenderSettings& settings) {
   if (!view.buffers_ || !view.buffers_->fits(settings)) {
     view = ViewState();
     view.buffers_.emplace(settings.picture_size_px, settings.supersampling);
   }
+  FramePlan plan;
+  const Draft draft{view, *view.buffers_, settings,
+                    view_regions(scene, volume.volume().geometry, settings.picture_size_px), plan};
   const RayCastKey rays = ray_cast_key(scene, volume, settings);
-  const ViewRegions regions =
-      view_regions(scene, volume.volume().geometry, settings.picture_size_px);
-  const std::uint64_t surface = cast_rays(view, rays, volume, regions.volume);
+  const std::uint64_t surface = cast_rays(draft, rays, volume);
   const auto looks = looks_of(scene);
   const auto branch = [&](BranchIndex index, const Branch& described) {
-    const Target target{regions.branches[index], settings};
     const auto shaded = rays.is_translucent()
-                            ? resolve(view, index, surface, target)
-                            : shade(view, index, {surface, rays.rays, looks[index]}, target);
-    return filter(view, index, described.filters, shaded, target);
+                            ? resolve(draft, index, surface)
+                            : shade(draft, index, {surface, rays.rays, looks[index]});
+    return filter(draft, index, described.filters, shaded);
   };
   const auto context = branch(kContext, scene.context);
   const auto focus = branch(kFocus, scene.focus);
-  composite(view, {context.version, focus.version, context.texture, focus.texture, scene.background,
-                   magic_lens(scene, rays.rays)});
-  convert(view, settings.layout);
+  composite(draft, {context.version, focus.version, context.texture, focus.texture,
+                    scene.background, magic_lens(scene, rays.rays)});
+  convert(draft);
+  return plan;
 }
 
-std::uint64_t FramePipeline::cast_rays(ViewState& view, const RayCastKey& key, GpuVolume& volume,
-                                       const gl::PixelRect& region) {
-  return view.ray_cast_.run(key, [&] {
-    ray_cast_pass_.run(key, volume, *view.buffers_, scaled(region, view.buffers_->supersampling()),
-                       triangle_);
-    ran("ray cast");
-  });
+std::uint64_t FramePipeline::cast_rays(const Draft& draft, const RayCastKey& key,
+                                       GpuVolume& volume) {
+  ViewBuffers& buffers = draft.buffers;
+  if (key.is_translucent()) buffers.prepare_layers();
+  return draft.view.ray_cast_.schedule(
+      key, draft.plan,
+      {.name = "ray cast",
+       .region = scaled(draft.regions.volume, draft.settings.supersampling),
+       .cost = kRayCost,
+       .begin = [key, &buffers] { RayCastPass::clear(key, buffers); },
+       .draw =
+           [this, key, &volume, &buffers](const gl::PixelRect& strip) {
+             ray_cast_pass_.run(key, volume, buffers, strip, triangle_);
+           },
+       .done = [this] { ran("ray cast"); }});
 }
 
-ViewState::BranchPicture FramePipeline::shade(ViewState& view, BranchIndex index,
-                                              const ShadeKey& key, const Target& target) {
-  const BranchBuffers& buffers = view.buffers_->branches[index];
-  const std::uint64_t version = view.branches_[index].shade.run(key, [&] {
-    shade_pass_.run(key, index, buffers, target.region, target.settings.supersampling, triangle_);
-    ran("shade");
-  });
+FramePipeline::BranchPicture FramePipeline::shade(const Draft& draft, BranchIndex index,
+                                                  const ShadeKey& key) {
+  const BranchBuffers& buffers = draft.buffers.branches[index];
+  const std::uint64_t version = draft.view.branches_[index].shade.schedule(
+      key, draft.plan,
+      {.name = "shade",
+       .region = draft.regions.branches[index],
+       .begin = [&buffers] { buffers.shade_target.clear(glm::vec4(0.0F)); },
+       .draw =
+           [this, key, index, &buffers,
+            rays = draft.settings.supersampling](const gl::PixelRect& strip) {
+             shade_pass_.run(key, index, buffers, strip, rays, triangle_);
+           },
+       .done = [this] { ran("shade"); }});
   return {&buffers.shaded, version};
 }
 
-ViewState::BranchPicture FramePipeline::resolve(ViewState& view, BranchIndex index,
-                                                std::uint64_t layers_version,
-                                                const Target& target) {
-  const BranchBuffers& buffers = view.buffers_->branches[index];
+FramePipeline::BranchPicture FramePipeline::resolve(const Draft& draft, BranchIndex index,
+                                                    std::uint64_t layers_version) {
+  const BranchBuffers& buffers = draft.buffers.branches[index];
   const ShadeKey key{.surface_version = layers_version, .rays = {}, .look = {}};
-  const std::uint64_t version = view.branches_[index].shade.run(key, [&] {
-    resolve_pass_.run(buffers, target.region, target.settings.supersampling, triangle_);
-    ran("resolve");
-  });
+  const std::uint64_t version = draft.view.branches_[index].shade.schedule(
+      key, draft.plan,
+      {.name = "resolve",
+       .region = draft.regions.branches[index],
+       .begin = [&buffers] { buffers.shade_target.clear(glm::vec4(0.0F)); },
+       .draw =
+           [this, &buffers, rays = draft.settings.supersampling](const gl::PixelRect& strip) {
+             resolve_pass_.run(buffers, strip, rays, triangle_);
+           },
+       .done = [this] { ran("resolve"); }});
   return {&buffers.shaded, version};
 }
 
-ViewState::BranchPicture FramePipeline::filter(ViewState& view, BranchIndex index,
-                                               const std::vector<Module>& filters,
-                                               ViewState::BranchPicture picture,
-                                               const Target& target) {
-  const BranchBuffers& buffers = view.buffers_->branches[index];
-  auto& stages = view.branches_[index].filters;
+FramePipeline::BranchPicture FramePipeline::filter(const Draft& draft, BranchIndex index,
+                                                   const std::vector<Module>& filters,
+                                                   BranchPicture picture) {
+  const BranchBuffers& buffers = draft.buffers.branches[index];
+  auto& stages = draft.view.branches_[index].filters;
   const std::uint64_t shaded = picture.version;
-  if (stages.size() < filters.size()) stages.resize(filters.size());
+  while (stages.size() < filters.size()) stages.emplace_back();
   for (std::size_t i = 0; i < filters.size(); ++i) {
-    const ColourTarget& output = view.buffers_->filtered(index, i);
-    const FilterKey key{picture.version, shaded, filters[i], target.settings.resolution_scale};
-    picture.version = stages[i].run(key, [&] {
-      filter_pass_.run(key, {*picture.texture, buffers.silhouette, buffers.surface},
-                       output.framebuffer, target.region, triangle_);
-      ran(filters[i].name.c_str());
-    });
-    picture.texture = &output.texture;
+    const ColourTarget& target = draft.buffers.filtered(index, i);
+    const FilterKey key{picture.version, shaded, filters[i], draft.settings.resolution_scale};
+    picture.version = stages[i].schedule(
+        key, draft.plan,
+        {.name = filters[i].name,
+         .region = draft.regions.branches[index],
+         .begin = [&target] { target.framebuffer.clear(glm::vec4(0.0F)); },
+         .draw =
+             [this, key, &buffers, &target, input = picture.texture](const gl::PixelRect& strip) {
+               filter_pass_.run(key, {*input, buffers.silhouette, buffers.surface},
+                                target.framebuffer, strip, triangle_);
+             },
+         .done = [this, name = filters[i].name] { ran(name); }});
+    picture.texture = &target.texture;
   }
   return picture;
 }
 
-void FramePipeline::composite(ViewState& view, const CompositeKey& key) {
-  view.composite_.run(key, [&] {
-    composite_pass_.run(key, view.buffers_->picture.framebuffer, triangle_);
-    ran("composite");
-  });
+void FramePipeline::composite(const Draft& draft, const CompositeKey& key) {
+  const ViewBuffers& buffers = draft.buffers;
+  draft.view.composite_.schedule(key, draft.plan,
+                                 {.name = "composite",
+                                  .region = {{0, 0}, buffers.picture_size_px()},
+                                  .begin = {},
+                                  .draw =
+                                      [this, key, &buffers](const gl::PixelRect& strip) {
+                                        composite_pass_.run(key, buffers.picture.framebuffer, strip,
+                                                            triangle_);
+                                      },
+                                  .done = [this] { ran("composite"); }});
 }
 
-void FramePipeline::convert(ViewState& view, PixelLayout layout) {
+// Its planes differ in size, so it is drawn as one; it is the cheapest pass.
+void FramePipeline::convert(const Draft& draft) {
+  const PixelLayout layout = draft.settings.layout;
   if (layout == PixelLayout::rgba) return;
-  view.buffers_->prepare_planes(layout);
-  convert_pass_.run(layout, *view.buffers_, triangle_);
-  ran("convert");
+  ViewBuffers& buffers = draft.buffers;
+  buffers.prepare_planes(layout);
+  draft.plan.add(
+      {.name = "convert",
+       .region = {{0, 0}, {1, 1}},
+       .begin = {},
+       .draw = [this, layout,
+                &buffers](const gl::PixelRect&) { convert_pass_.run(layout, buffers, triangle_); },
+       .done = [this] { ran("convert"); }});
 }
 
-void FramePipeline::ran(const char* stage) const {
-  if (observer_) observer_(stage);
+void FramePipeline::ran(const std::string& stage) const {
+  if (observer_) observer_(stage.c_str());
 }
 
 void FramePipeline::start_readback(const ViewState& view, PixelLayout layout,

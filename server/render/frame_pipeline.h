@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "render/composite_pass.h"
 #include "render/convert_pass.h"
 #include "render/filters/filter_pass.h"
+#include "render/frame_plan.h"
 #include "render/gpu_volume.h"
 #include "render/ray_cast_pass.h"
 #include "render/render_settings.h"
@@ -33,17 +35,14 @@ struct StageCounts {
 class ViewState {
  public:
   StageCounts counts() const;
+  /// What its buffers take on the device.
+  std::uint64_t bytes() const { return buffers_ ? buffers_->bytes() : 0; }
 
  private:
   friend class FramePipeline;
   struct Branch {
     Stage<ShadeKey> shade;
-    std::vector<Stage<FilterKey>> filters;
-  };
-  /// A branch's last picture and how to know that it changed.
-  struct BranchPicture {
-    const gl::Texture2D* texture;
-    std::uint64_t version;
+    std::deque<Stage<FilterKey>> filters;  ///< stay where they are while a plan refers to them
   };
   std::optional<ViewBuffers> buffers_;
   Stage<RayCastKey> ray_cast_;
@@ -59,9 +58,16 @@ class FramePipeline {
  public:
   FramePipeline();
 
-  /// Draws the scene into the view's buffers and converts it to the settings' layout.
+  /// What has to be drawn for the scene to stand in the view's buffers, converted to the settings'
+  /// layout. View and volume must outlive the plan, and there is one plan of a view at a time.
+  FramePlan plan(ViewState& view, const Scene& scene, GpuVolume& volume,
+                 const RenderSettings& settings);
+
+  /// The same, drawn at once.
   void render(ViewState& view, const Scene& scene, GpuVolume& volume,
-              const RenderSettings& settings);
+              const RenderSettings& settings) {
+    plan(view, scene, volume, settings).finish();
+  }
 
   /// Starts the transfer of what render drew.
   static void start_readback(const ViewState& view, PixelLayout layout,
@@ -77,23 +83,27 @@ class FramePipeline {
   void observe(StageObserver observer) { observer_ = std::move(observer); }
 
  private:
-  /// Where a branch's stages draw, and how.
-  struct Target {
-    gl::PixelRect region;
+  /// What the parts of a plan have in common.
+  struct Draft {
+    ViewState& view;
+    ViewBuffers& buffers;
     const RenderSettings& settings;
+    ViewRegions regions;
+    FramePlan& plan;
   };
-  std::uint64_t cast_rays(ViewState& view, const RayCastKey& key, GpuVolume& volume,
-                          const gl::PixelRect& region);
-  ViewState::BranchPicture shade(ViewState& view, BranchIndex index, const ShadeKey& key,
-                                 const Target& target);
-  ViewState::BranchPicture resolve(ViewState& view, BranchIndex index, std::uint64_t layers_version,
-                                   const Target& target);
-  ViewState::BranchPicture filter(ViewState& view, BranchIndex index,
-                                  const std::vector<Module>& filters,
-                                  ViewState::BranchPicture picture, const Target& target);
-  void composite(ViewState& view, const CompositeKey& key);
-  void convert(ViewState& view, PixelLayout layout);
-  void ran(const char* stage) const;
+  /// A branch's last picture and how to know that it changed.
+  struct BranchPicture {
+    const gl::Texture2D* texture;
+    std::uint64_t version;
+  };
+  std::uint64_t cast_rays(const Draft& draft, const RayCastKey& key, GpuVolume& volume);
+  BranchPicture shade(const Draft& draft, BranchIndex index, const ShadeKey& key);
+  BranchPicture resolve(const Draft& draft, BranchIndex index, std::uint64_t layers_version);
+  BranchPicture filter(const Draft& draft, BranchIndex index, const std::vector<Module>& filters,
+                       BranchPicture picture);
+  void composite(const Draft& draft, const CompositeKey& key);
+  void convert(const Draft& draft);
+  void ran(const std::string& stage) const;
 
   gl::FullscreenTriangle triangle_;
   gl::ShaderLibrary shaders_;

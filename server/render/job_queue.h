@@ -1,6 +1,7 @@
-// Which view is drawn next.
+// What waits to be drawn.
 #pragma once
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -8,12 +9,12 @@
 #include <optional>
 #include <stop_token>
 #include <utility>
+#include <vector>
 
 namespace cutaway {
 
-/// At most one waiting job a view; views are served in the order in which they began to wait, so
-/// that no view that asks often starves one that asks seldom. Thread-safe. `Job` has a member
-/// `view`.
+/// At most one waiting job a view: the newest, in the place of the first. Thread-safe. `Job` has a
+/// member `view`.
 template <typename Job>
 class JobQueue {
  public:
@@ -52,17 +53,36 @@ class JobQueue {
     return std::nullopt;
   }
 
-  /// Waits for a job; nothing when told to stop.
-  std::optional<Job> wait_and_take(const std::stop_token& stop) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, stop, [&] { return !jobs_.empty() || woken_; });
-    woken_ = false;
-    return take_locked();
+  /// The views whose jobs wait, in the order in which they began to.
+  std::vector<std::uint64_t> waiting() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::uint64_t> views;
+    for (const Job& job : jobs_) views.push_back(job.view());
+    return views;
   }
 
+  bool has(std::uint64_t view) const {
+    const std::lock_guard lock(mutex_);
+    return std::ranges::any_of(jobs_, [=](const Job& job) { return job.view() == view; });
+  }
+
+  /// Waits until a job waits, or for a wake, a stop, or no longer than `most`. True where a job
+  /// does.
+  template <typename Duration>
+  bool wait(const std::stop_token& stop, Duration most) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, stop, most, [&] { return !jobs_.empty() || woken_; });
+    woken_ = false;
+    return !jobs_.empty();
+  }
+
+  /// The job that has waited longest.
   std::optional<Job> take() {
     const std::lock_guard lock(mutex_);
-    return take_locked();
+    if (jobs_.empty()) return std::nullopt;
+    std::optional<Job> job(std::move(jobs_.front()));
+    jobs_.pop_front();
+    return job;
   }
 
   /// Ends one wait without a job.
@@ -73,14 +93,7 @@ class JobQueue {
   }
 
  private:
-  std::optional<Job> take_locked() {
-    if (jobs_.empty()) return std::nullopt;
-    std::optional<Job> job(std::move(jobs_.front()));
-    jobs_.pop_front();
-    return job;
-  }
-
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable_any changed_;
   std::deque<Job> jobs_;
   bool woken_ = false;

@@ -94,8 +94,12 @@ const RayCastPass::Entry& RayCastPass::entry_for(const Lens& lens) const {
   return *found;
 }
 
-void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, ViewBuffers& buffers,
-                      const gl::PixelRect& region, const gl::FullscreenTriangle& triangle) const {
+void RayCastPass::clear(const RayCastKey& key, const ViewBuffers& buffers) {
+  (key.is_translucent() ? buffers.layers_target : buffers.surface_target).clear(kNothingMet);
+}
+
+void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, const ViewBuffers& buffers,
+                      const gl::PixelRect& strip, const gl::FullscreenTriangle& triangle) const {
   const Entry& entry = entry_for(key.lens);
   const gl::Program& program = key.is_translucent() ? entry.translucent : entry.opaque;
   program.use();
@@ -109,10 +113,9 @@ void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, ViewBuffers& buf
   set_lens(program, *entry.shape, key.lens);
   if (key.is_translucent()) {
     set_looks(program, key);
-    buffers.prepare_layers();
-    buffers.layers_target.bind(region, kNothingMet);
+    buffers.layers_target.bind(strip);
   } else {
-    buffers.surface_target.bind(region, kNothingMet);
+    buffers.surface_target.bind(strip);
   }
   triangle.draw();
 }

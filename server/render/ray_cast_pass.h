@@ -35,8 +35,11 @@ struct RayCastKey {
 class RayCastPass {
  public:
   explicit RayCastPass(const gl::ShaderLibrary& shaders);
-  void run(const RayCastKey& key, GpuVolume& volume, ViewBuffers& buffers,
-           const gl::PixelRect& region, const gl::FullscreenTriangle& triangle) const;
+  /// Everything as if no ray had met anything.
+  static void clear(const RayCastKey& key, const ViewBuffers& buffers);
+  /// Casts the rays of a strip of the surface buffers; layers must have been prepared.
+  void run(const RayCastKey& key, GpuVolume& volume, const ViewBuffers& buffers,
+           const gl::PixelRect& strip, const gl::FullscreenTriangle& triangle) const;
 
  private:
   /// One for each shape of the lens and what it does.

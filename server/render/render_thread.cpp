@@ -9,21 +9,23 @@ namespace cutaway {
 
 namespace {
 
+constexpr std::chrono::seconds kBetweenTidyings{10};
+
 void replace(std::optional<RenderJob> job) {
   if (job) job->done(RenderReplaced{});
 }
 
 }  // namespace
 
-RenderThread::RenderThread(const gl::ContextOptions& options, std::uint64_t volume_bytes) {
+RenderThread::RenderThread(const gl::ContextOptions& options, const RenderLimits& limits) {
   std::promise<RendererInfo> ready;
   auto info = ready.get_future();
-  thread_ = std::jthread([this, options, volume_bytes, &ready](const std::stop_token& stop) {
+  thread_ = std::jthread([this, options, limits, &ready](const std::stop_token& stop) {
     std::unique_ptr<gl::Context> context;
     std::unique_ptr<RenderWorker> worker;
     try {
       context = gl::Context::create(options);
-      worker = std::make_unique<RenderWorker>(*context, volume_bytes);
+      worker = std::make_unique<RenderWorker>(*context, limits);
     } catch (...) {
       ready.set_exception(std::current_exception());
       return;
@@ -44,16 +46,17 @@ RenderThread::~RenderThread() {
 void RenderThread::serve(RenderWorker& worker, const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     take_inbox(worker);
-    const bool busy = worker.has_pending() || worker.has_uploads();
-    std::optional<RenderJob> job = busy ? queue_.take() : queue_.wait_and_take(stop);
-    const bool idle = !job && !worker.has_uploads();
-    if (job) worker.begin(std::move(*job));
+    if (worker.is_idle() && !queue_.wait(stop, kBetweenTidyings)) {
+      worker.tidy();
+      continue;
+    }
+    const bool drew = worker.draw_some(queue_);
     worker.upload_some();
     if (worker.is_lost()) lost_ = true;
     // With nothing else to do there is time to wait for the pixels.
-    worker.finish(idle);
+    worker.finish(!drew && !worker.has_uploads());
   }
-  while (worker.has_pending()) worker.finish(true);
+  worker.give_up();
 }
 
 void RenderThread::submit(RenderJob job) { replace(queue_.put(std::move(job))); }

@@ -27,6 +27,8 @@ struct RenderRequest {
   std::shared_ptr<const Scene> scene;
   RenderSettings settings;
   std::shared_ptr<const void> label;  ///< the caller's own, handed back with the frame
+  /// Given up, even while it is drawn, when a newer request of the view waits; else it is finished.
+  bool yields = false;
 };
 
 struct RenderedFrame {
@@ -50,6 +52,20 @@ struct RenderJob {
 
 class RenderWorker;
 
+/// What the render thread may take of the device.
+struct RenderLimits {
+  std::uint64_t volume_bytes = std::uint64_t{8} << 30;  ///< textures of volumes
+  std::uint64_t view_bytes = std::uint64_t{2} << 30;    ///< buffers of views
+  /// How much of one frame is drawn before another has its turn, in pixels of a simple pass (a ray
+  /// costs four); 0: what about 20 ms are on two cores, on a GPU any frame as a whole.
+  std::int64_t step = 0;
+
+  std::int64_t step_cost(bool is_software) const {
+    if (step > 0) return step;
+    return is_software ? std::int64_t{1} << 19 : std::int64_t{1} << 27;
+  }
+};
+
 struct RendererInfo {
   std::string renderer;
   std::string version;
@@ -60,9 +76,8 @@ struct RendererInfo {
 /// Thread-safe. Destroying it ends waiting jobs as replaced and uploads as cancelled.
 class RenderThread {
  public:
-  /// Returns when the context works; throws what creating it threw. Volumes' textures take up to
-  /// `volume_bytes` of the device's memory, or the one that is shown what it needs.
-  RenderThread(const gl::ContextOptions& options, std::uint64_t volume_bytes);
+  /// Returns when the context works; throws what creating it threw.
+  RenderThread(const gl::ContextOptions& options, const RenderLimits& limits);
   ~RenderThread();
 
   const RendererInfo& info() const { return info_; }
@@ -70,8 +85,7 @@ class RenderThread {
   /// True once the graphics device was lost: every job ends as an error from then on.
   bool is_lost() const { return lost_; }
 
-  /// A job that waits for the same view is replaced by the newer one; one that was begun is
-  /// finished.
+  /// A job that waits for the same view is replaced by the newer one.
   void submit(RenderJob job);
 
   /// Puts `request` in the place of its view's waiting one, whose `done` stays. False where none
@@ -85,7 +99,7 @@ class RenderThread {
   void upload(std::shared_ptr<const LoadedVolume> volume, ProgressSink progress,
               std::stop_token stop);
 
-  /// Forgets the view's buffers; a job that waits ends as replaced.
+  /// Forgets the view's buffers; a job that waits or is being drawn ends as replaced.
   void release(std::uint64_t view);
 
  private:

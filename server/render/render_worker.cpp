@@ -1,5 +1,7 @@
 #include "render/render_worker.h"
 
+#include <algorithm>
+
 #include "core/log.h"
 
 namespace cutaway {
@@ -8,6 +10,9 @@ namespace {
 
 /// Frames whose pixels are on their way while the next are drawn.
 constexpr std::size_t kReadbacksInFlight = 3;
+constexpr std::size_t kStepsInFlight = 2;
+constexpr std::size_t kKeptReadbackBytes = std::size_t{16} << 20;
+constexpr std::chrono::seconds kIdleViews{60};
 /// Of an upload between two frames.
 constexpr std::chrono::milliseconds kUploadTurn{10};
 
@@ -33,30 +38,129 @@ void hand_over(const RenderJob& job, RenderOutcome outcome) {
 
 }  // namespace
 
-void RenderWorker::begin(RenderJob job) {
-  volumes_.drop_unwanted();
-  Pending pending{std::move(job), {}, Clock::now()};
-  try {
-    draw(pending);
-    pending_.push_back(std::move(pending));
-  } catch (const std::exception& failure) {
-    return hand_over(pending.job, told(failure, pending.job.view()));
+RenderWorker::RenderWorker(const gl::Context& context, const RenderLimits& limits)
+    : context_(context),
+      step_cost_(limits.step_cost(context.is_software())),
+      views_(limits.view_bytes),
+      volumes_(context.max_3d_texture_size(), limits.volume_bytes) {}
+
+bool RenderWorker::draw_some(JobQueue<RenderJob>& queue) {
+  const std::vector<std::uint64_t> waiting = views_that_wait(queue);
+  if (waiting.empty()) return false;
+  const std::uint64_t view = shares_.next(waiting);
+  Place drawing = find(view);
+  if (drawing != drawing_.end() && drawing->job.request.yields && queue.has(view)) {
+    end(drawing, RenderReplaced{});
+    drawing = drawing_.end();
   }
+  if (drawing == drawing_.end()) {
+    std::optional<RenderJob> job = queue.withdraw(view);  // its owner may have taken it back
+    if (!job || !begin(std::move(*job))) return true;
+    drawing = std::prev(drawing_.end());
+  }
+  step(drawing);
+  return true;
+}
+
+// Frames that were begun come first: among views that have had equally much they are finished in
+// that order.
+std::vector<std::uint64_t> RenderWorker::views_that_wait(const JobQueue<RenderJob>& queue) const {
+  std::vector<std::uint64_t> views;
+  for (const Drawing& drawing : drawing_) views.push_back(drawing.job.view());
+  for (const std::uint64_t view : queue.waiting()) {
+    if (std::ranges::find(views, view) == views.end()) views.push_back(view);
+  }
+  return views;
+}
+
+RenderWorker::Place RenderWorker::find(std::uint64_t view) {
+  return std::ranges::find_if(drawing_,
+                              [=](const Drawing& each) { return each.job.view() == view; });
+}
+
+/// False where it has failed.
+bool RenderWorker::begin(RenderJob job) {
+  Drawing drawing{std::move(job), nullptr, {}, Clock::now()};
+  const RenderRequest& request = drawing.job.request;
+  ViewState& view = views_.pin(request.view);
+  try {
+    check_device();
+    drawing.volume = volumes_.use(request.volume);
+    drawing.volume->upload_rest();
+    drawing.plan = pipeline_.plan(view, *request.scene, *drawing.volume, request.settings);
+    views_.keep_within_limit();
+    drawing_.push_back(std::move(drawing));
+    return true;
+  } catch (const std::exception& failure) {
+    views_.unpin(request.view);
+    hand_over(drawing.job, told(failure, request.view));
+    return false;
+  }
+}
+
+void RenderWorker::step(Place drawing) {
+  const std::uint64_t view = drawing->job.view();
+  try {
+    check_device();
+    shares_.charge(view, drawing->plan.advance(step_cost_));
+    keep_pace();
+    if (!drawing->plan.is_done()) return;
+    read_back(*drawing);
+  } catch (const std::exception& failure) {
+    return end(drawing, told(failure, view));
+  }
+  views_.unpin(view);
+  drawing_.erase(drawing);
   if (pending_.size() >= kReadbacksInFlight) finish(true);
 }
 
-void RenderWorker::draw(Pending& pending) {
-  const RenderRequest& request = pending.job.request;
-  check_device();
+// The device may have a step or two ahead of it, or it would run dry, and no more, or a small frame
+// would wait behind all that was asked for before it.
+void RenderWorker::keep_pace() {
+  steps_.push_back(gl::Fence::insert());
+  if (steps_.size() <= kStepsInFlight) return;
+  steps_.front().wait();
+  steps_.pop_front();
+}
+
+void RenderWorker::read_back(Drawing& drawing) {
+  Pending pending{std::move(drawing.job), {}, drawing.begun};
   if (!idle_readbacks_.empty()) {
     pending.readback = std::move(idle_readbacks_.back());
     idle_readbacks_.pop_back();
   }
-  ViewState& view = views_[request.view];
-  GpuVolume& volume = volumes_.use(request.volume);
-  volume.upload_rest();
-  pipeline_.render(view, *request.scene, volume, request.settings);
-  FramePipeline::start_readback(view, request.settings.layout, pending.readback);
+  const RenderRequest& request = pending.job.request;
+  try {
+    FramePipeline::start_readback(views_.pinned(request.view), request.settings.layout,
+                                  pending.readback);
+  } catch (...) {
+    drawing.job = std::move(pending.job);
+    throw;
+  }
+  pending_.push_back(std::move(pending));
+}
+
+void RenderWorker::end(Place drawing, RenderOutcome outcome) {
+  views_.unpin(drawing->job.view());
+  const RenderJob job = std::move(drawing->job);
+  drawing_.erase(drawing);
+  hand_over(job, std::move(outcome));
+}
+
+void RenderWorker::release(std::uint64_t view) {
+  if (const Place drawing = find(view); drawing != drawing_.end()) end(drawing, RenderReplaced{});
+  views_.drop(view);
+  shares_.forget(view);
+}
+
+void RenderWorker::give_up() {
+  while (!drawing_.empty()) end(drawing_.begin(), RenderReplaced{});
+  while (!pending_.empty()) finish(true);
+}
+
+void RenderWorker::tidy() {
+  volumes_.drop_unwanted();
+  views_.drop_idle(kIdleViews);
 }
 
 // The device tells of its loss once.
@@ -82,11 +186,16 @@ void RenderWorker::deliver(Pending& pending) {
     const auto spent =
         std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - pending.begun);
     frame.render_us = static_cast<std::uint32_t>(spent.count());
-    idle_readbacks_.push_back(std::move(pending.readback));
+    keep(std::move(pending.readback));
     hand_over(pending.job, std::move(frame));
   } catch (const std::exception& failure) {
     hand_over(pending.job, told(failure, request.view));
   }
+}
+
+// A large buffer is not kept for the small frames after it.
+void RenderWorker::keep(gl::PixelReadback readback) {
+  if (readback.capacity() <= kKeptReadbackBytes) idle_readbacks_.push_back(std::move(readback));
 }
 
 void RenderWorker::upload_some() {
@@ -105,7 +214,7 @@ void RenderWorker::upload_some() {
 /// True once the whole volume is on the device.
 bool RenderWorker::advance(const UploadJob& job) {
   check_device();
-  GpuVolume& volume = volumes_.use(job.volume);
+  GpuVolume& volume = *volumes_.use(job.volume);
   const auto until = Clock::now() + kUploadTurn;
   while (!volume.is_complete() && Clock::now() < until) {
     throw_if_cancelled(job.stop);

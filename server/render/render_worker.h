@@ -1,23 +1,27 @@
-// What the render thread does with a job; lives on that thread only.
+// What the render thread does with its jobs; lives on that thread only.
 #pragma once
 
 #include <chrono>
 #include <deque>
-#include <map>
+#include <list>
 
+#include "gl/fence.h"
 #include "render/device_volumes.h"
+#include "render/fair_share.h"
 #include "render/frame_pipeline.h"
 #include "render/render_thread.h"
+#include "render/view_shelf.h"
 
 namespace cutaway {
 
 class RenderWorker {
  public:
-  RenderWorker(const gl::Context& context, std::uint64_t volume_bytes)
-      : context_(context), volumes_(context.max_3d_texture_size(), volume_bytes) {}
+  RenderWorker(const gl::Context& context, const RenderLimits& limits);
 
-  /// Draws and starts the read-back. A failure ends this job alone.
-  void begin(RenderJob job);
+  /// Draws a step of the frame whose view's turn it is, of those that were begun and those that
+  /// wait in the queue; frames that are complete go on to their read-back. False where there is
+  /// none. A failure ends its job alone.
+  bool draw_some(JobQueue<RenderJob>& queue);
 
   /// Puts a volume behind those that are on their way to the device.
   void add(UploadJob job) { uploads_.push_back(std::move(job)); }
@@ -25,33 +29,56 @@ class RenderWorker {
   /// Goes on with the oldest of them for a few milliseconds. A failure ends this upload alone.
   void upload_some();
 
-  bool has_pending() const { return !pending_.empty(); }
   /// Hands over every frame whose pixels have arrived; waits for the oldest where `wait` says so.
   void finish(bool wait);
 
+  bool is_idle() const { return drawing_.empty() && pending_.empty() && uploads_.empty(); }
   /// True once the graphics device was lost; every job fails from then on.
   bool is_lost() const { return lost_; }
 
-  void release(std::uint64_t view) { views_.erase(view); }
+  /// Forgets the view; a frame of it that is being drawn ends as replaced.
+  void release(std::uint64_t view);
+  /// Ends every frame: those that are complete as frames, the others as replaced.
+  void give_up();
+  /// Frees what nobody has asked for in a while.
+  void tidy();
 
  private:
   using Clock = std::chrono::steady_clock;
+  struct Drawing {
+    RenderJob job;
+    std::shared_ptr<GpuVolume> volume;  ///< held: the volumes' limit must not take it away now
+    FramePlan plan;
+    Clock::time_point begun;
+  };
   struct Pending {
     RenderJob job;
     gl::PixelReadback readback;
     Clock::time_point begun;
   };
+  using Place = std::list<Drawing>::iterator;
 
+  std::vector<std::uint64_t> views_that_wait(const JobQueue<RenderJob>& queue) const;
+  Place find(std::uint64_t view);
+  bool begin(RenderJob job);
+  void step(Place drawing);
+  void end(Place drawing, RenderOutcome outcome);
+  void read_back(Drawing& drawing);
+  void keep_pace();
   void check_device();
   bool advance(const UploadJob& job);
-  void draw(Pending& pending);
   void deliver(Pending& pending);
+  void keep(gl::PixelReadback readback);
 
   const gl::Context& context_;
+  std::int64_t step_cost_;
   bool lost_ = false;
   FramePipeline pipeline_;
-  std::map<std::uint64_t, ViewState> views_;
+  ViewShelf views_;
   DeviceVolumes volumes_;
+  FairShare shares_;
+  std::list<Drawing> drawing_;     ///< one a view, in the order in which they were begun
+  std::deque<gl::Fence> steps_;    ///< that the device has not come to, oldest first
   std::deque<Pending> pending_;    ///< oldest first
   std::deque<UploadJob> uploads_;  ///< oldest first
   std::vector<gl::PixelReadback> idle_readbacks_;

@@ -9,7 +9,7 @@ namespace cutaway {
 class ResolvePass {
  public:
   explicit ResolvePass(const gl::ShaderLibrary& shaders);
-  void run(const BranchBuffers& branch, const gl::PixelRect& region, int supersampling,
+  void run(const BranchBuffers& branch, const gl::PixelRect& strip, int supersampling,
            const gl::FullscreenTriangle& triangle) const;
 
  private:

@@ -19,7 +19,7 @@ ShadePass::ShadePass(const gl::ShaderLibrary& shaders) {
 }
 
 void ShadePass::run(const ShadeKey& key, BranchIndex index, const BranchBuffers& branch,
-                    const gl::PixelRect& region, int supersampling,
+                    const gl::PixelRect& strip, int supersampling,
                     const gl::FullscreenTriangle& triangle) const {
   const ShadingModel& model = find_shading_model(key.look.shading.name);
   const auto entry = std::ranges::find_if(
@@ -32,7 +32,7 @@ void ShadePass::run(const ShadeKey& key, BranchIndex index, const BranchBuffers&
   program.set("light_direction", key.look.light_direction);
   set_view_rays(program, key.rays);
   model.set_parameters(UniformStruct(program, model.name, index), key.look.shading.parameters);
-  branch.shade_target.bind(region, glm::vec4(0.0F));
+  branch.shade_target.bind(strip);
   triangle.draw();
 }
 

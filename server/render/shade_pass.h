@@ -29,7 +29,7 @@ class ShadePass {
  public:
   explicit ShadePass(const gl::ShaderLibrary& shaders);
   void run(const ShadeKey& key, BranchIndex index, const BranchBuffers& branch,
-           const gl::PixelRect& region, int supersampling,
+           const gl::PixelRect& strip, int supersampling,
            const gl::FullscreenTriangle& triangle) const;
 
  private:

@@ -5,23 +5,26 @@
 #include <optional>
 #include <utility>
 
+#include "render/frame_plan.h"
+
 namespace cutaway {
 
 /// `Key` holds everything that the stage's output depends on, with the versions of the stages
-/// before it.
+/// before it. Must stay where it is while a plan has its pass.
 template <typename Key>
 class Stage {
  public:
-  /// Runs `work` unless the output already belongs to `key`. Returns the output's version.
-  template <typename Work>
-  std::uint64_t run(Key key, Work&& work) {
-    if (key_ != key) {
-      key_.reset();  // an exception leaves no output that could pass for either
-      std::forward<Work>(work)();
-      key_ = std::move(key);
-      ++runs_;
-    }
-    return runs_;
+  /// Adds the pass to the plan unless the output already belongs to `key`. Returns the version that
+  /// the output has once the plan is done.
+  std::uint64_t schedule(Key key, FramePlan& plan, Pass pass) {
+    if (key_ == key) return runs_;
+    key_.reset();  // a plan that is given up leaves no output that could pass for either
+    pass.done = [this, key = std::move(key), done = std::move(pass.done)] {
+      key_ = key;
+      if (done) done();
+    };
+    plan.add(std::move(pass));
+    return ++runs_;
   }
 
   std::uint64_t runs() const { return runs_; }

@@ -43,6 +43,16 @@ ColourTarget& ViewBuffers::filtered(BranchIndex branch, std::size_t index) {
   return targets[index];
 }
 
+std::uint64_t ViewBuffers::bytes() const {
+  std::uint64_t sum = picture.texture.bytes() + luma.texture.bytes() + cb.bytes() + cr.bytes();
+  for (const BranchBuffers& branch : branches) {
+    sum += branch.surface.bytes() + branch.layers.bytes() + branch.shaded.bytes() +
+           branch.silhouette.bytes();
+    for (const ColourTarget& target : branch.filtered) sum += target.texture.bytes();
+  }
+  return sum;
+}
+
 void ViewBuffers::prepare_layers() {
   if (branches[kContext].layers.name() != 0) return;
   for (BranchBuffers& branch : branches)

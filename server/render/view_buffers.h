@@ -43,6 +43,9 @@ class ViewBuffers {
   glm::ivec2 luma_size_px(PixelLayout layout) const;
   glm::ivec2 chroma_size_px(PixelLayout layout) const;
 
+  /// What all of them take on the device.
+  std::uint64_t bytes() const;
+
   /// Makes sure that each branch has a target for its filter number `index`.
   ColourTarget& filtered(BranchIndex branch, std::size_t index);
   /// Makes sure that both branches' layers and their target exist.

@@ -17,7 +17,9 @@ class RenderThreads : public testing::Test {
  protected:
   static constexpr std::uint64_t kVolumeBytes = std::uint64_t{96} << 20;
 
-  RenderThreads() : volume_(load(shells_volume(centred_geometry(64)))), thread_({}, kVolumeBytes) {}
+  RenderThreads()
+      : volume_(load(shells_volume(centred_geometry(64)))),
+        thread_({}, {.volume_bytes = kVolumeBytes, .step = 4000}) {}
 
   RenderRequest request(std::uint64_t view, glm::dvec3 background = glm::dvec3(0.0)) {
     const Scene scene =
@@ -78,6 +80,36 @@ TEST_F(RenderThreads, AFailedJobLeavesTheOthersAlone) {
   EXPECT_TRUE(std::holds_alternative<Error>(submit(broken).get()));
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(2)).get()));
+}
+
+TEST_F(RenderThreads, ALargePictureLetsSmallOnesPass) {
+  RenderRequest large = request(1);
+  large.settings.picture_size_px = {1600, 1200};
+  auto drawn_large = submit(large);
+  for (int i = 0; i < 5; ++i)
+    EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(2)).get()));
+  EXPECT_EQ(drawn_large.wait_for(std::chrono::seconds(0)), std::future_status::timeout);
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(drawn_large.get()));
+}
+
+TEST_F(RenderThreads, AFrameThatYieldsIsGivenUpForANewerOneOfItsView) {
+  RenderRequest still = request(1);
+  still.settings.picture_size_px = {1600, 1200};
+  still.yields = true;
+  auto drawn_still = submit(still);
+  // Once this is through, the still has been begun.
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(2)).get()));
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
+  EXPECT_TRUE(std::holds_alternative<RenderReplaced>(drawn_still.get()));
+}
+
+TEST_F(RenderThreads, AReleasedViewsFrameIsGivenUp) {
+  RenderRequest large = request(1);
+  large.settings.picture_size_px = {1600, 1200};
+  auto drawn = submit(large);
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(2)).get()));
+  thread_.release(1);
+  EXPECT_TRUE(std::holds_alternative<RenderReplaced>(drawn.get()));
 }
 
 TEST_F(RenderThreads, ForgetsAReleasedViewAndDrawsItAnew) {

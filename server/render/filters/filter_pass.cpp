@@ -12,7 +12,7 @@ FilterPass::FilterPass(const gl::ShaderLibrary& shaders) {
 }
 
 void FilterPass::run(const FilterKey& key, const FilterInput& input, const gl::Framebuffer& target,
-                     const gl::PixelRect& region, const gl::FullscreenTriangle& triangle) const {
+                     const gl::PixelRect& strip, const gl::FullscreenTriangle& triangle) const {
   const Entry& entry = programs_.at(key.filter.name);
   const gl::Program& program = entry.program;
   program.use();
@@ -20,7 +20,7 @@ void FilterPass::run(const FilterKey& key, const FilterInput& input, const gl::F
   program.set_texture("silhouette_texture", 1, input.silhouette.name());
   program.set_texture("surface_texture", 2, input.surface.name());
   entry.filter->set_parameters(program, key.filter.parameters, key.resolution_scale);
-  target.bind(region, glm::vec4(0.0F));
+  target.bind(strip);
   triangle.draw();
 }
 

@@ -28,7 +28,7 @@ class FilterPass {
  public:
   explicit FilterPass(const gl::ShaderLibrary& shaders);
   void run(const FilterKey& key, const FilterInput& input, const gl::Framebuffer& target,
-           const gl::PixelRect& region, const gl::FullscreenTriangle& triangle) const;
+           const gl::PixelRect& strip, const gl::FullscreenTriangle& triangle) const;
 
  private:
   struct Entry {
