@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "scene/json_text.h"
 #include "scene/resolve.h"
+#include "scene/schema.h"
 
 namespace cutaway {
 
@@ -41,20 +42,18 @@ std::string read_text(const fs::path& file) {
 }  // namespace
 
 Json read_scene_file(const fs::path& file) {
-  std::string pointer;  // of the scene in the file
   try {
-    Json scene = parse_json(read_text(file));
+    const Json scene = parse_json(read_text(file));
     // A style carries its scene with a name and a description around it.
     if (scene.is_object() && scene.contains("scene")) {
-      scene = Json(std::move(scene["scene"]));
-      pointer = "/scene";
+      validate(scene, "style");
+      return scene["scene"];
     }
     validate_scene_document(scene);
     return scene;
   } catch (const Error& error) {
     Error::Detail detail = error.detail();
-    pointer += detail.field;
-    detail.field = file.string() + (pointer.empty() ? "" : "#" + pointer);
+    detail.field = file.string() + (detail.field.empty() ? "" : "#" + detail.field);
     throw Error(detail);
   }
 }

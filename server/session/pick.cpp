@@ -33,8 +33,8 @@ std::optional<Stretch> inside_lens(const Lens& lens, const ViewRay& ray) {
   return Stretch{begin, half - along, PickedBranch::focus, begin > 0.0};
 }
 
-// A cap that is left open is not seen from behind: the surface counts only where the value enters
-// the band again.
+// Material that a stretch starts in does not count where a cap is left open, nor around an eye that
+// stands in it: the surface counts only where the value enters the band again.
 std::optional<double> past_open_cap(const OpenVolume& volume, const ViewRay& ray,
                                     const ValueBand& band, const Stretch& stretch) {
   const double step_mm = volume.facts().diagonal_mm / 1000.0;
@@ -54,7 +54,8 @@ std::optional<PickHit> first_hit(const Scene& scene, const OpenVolume& volume, c
                                  const Stretch& stretch) {
   const ValueBand& band = band_of(scene, stretch.branch);
   std::optional<double> begin = stretch.begin;
-  if (stretch.begins_at_lens && scene.lens.cap == LensCap::open) {
+  const bool at_eye = stretch.begin == 0.0;
+  if (at_eye || (stretch.begins_at_lens && scene.lens.cap == LensCap::open)) {
     begin = past_open_cap(volume, ray, band, stretch);
   }
   if (!begin) return std::nullopt;

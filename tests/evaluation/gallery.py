@@ -1,14 +1,11 @@
 """One sheet for each of the dissertation's figures, on every volume."""
 from dataclasses import dataclass
 
-import cv2
-
 import saliency
 from figures import FIGURES, Figure
 from sheets import sheet
 
 WIDTH_PX, HEIGHT_PX = 400, 360
-RAYS_A_SIDE = 2  # rays a pixel, each way: drawn larger and averaged
 
 
 @dataclass(frozen=True)
@@ -39,5 +36,4 @@ def _picture(studio, start, style, changes):
     studio.change({**start, **studio.styles[style]})
     studio.change({"lens": {k: start["lens"][k] for k in ("centre_mm", "radius_mm")}})
     studio.change(changes)
-    large = studio.picture(RAYS_A_SIDE * WIDTH_PX, RAYS_A_SIDE * HEIGHT_PX)
-    return cv2.resize(large, (WIDTH_PX, HEIGHT_PX), interpolation=cv2.INTER_AREA)
+    return studio.picture(WIDTH_PX, HEIGHT_PX)

@@ -14,7 +14,7 @@ CONFIG = """\
 [server]
 idle_timeout_ms = 600000
 [session]
-still_supersampling = 1
+still_supersampling = 2
 rest_ms = 60000
 [log]
 level = "warning"

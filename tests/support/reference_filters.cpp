@@ -16,29 +16,31 @@ double brightness(glm::dvec3 colour) {
 struct Statistics {
   glm::dvec3 mean_colour{0.0};
   double variance = 0.0;
-  int samples = 0;
+  double samples = 0.0;  ///< sum of weights
 };
 
-/// The quadrant of the window that reaches from `centre` towards `direction`, over covered pixels
-/// of the picture only.
+/// The quadrant of the window that reaches from `centre` towards `direction`; pixels weigh as much
+/// as they are covered, those outside of the picture nothing.
 Statistics quadrant(const BranchImage& input, glm::ivec2 centre, glm::ivec2 direction,
                     int radius_px) {
-  std::vector<glm::dvec3> colours;
+  Statistics result;
+  std::vector<const BranchPixel*> pixels;
   for (int y = 0; y <= radius_px; ++y) {
     for (int x = 0; x <= radius_px; ++x) {
       const glm::ivec2 at = centre + direction * glm::ivec2(x, y);
-      if (input.contains(at) && input.at(at).coverage > 0.0) colours.push_back(input.at(at).colour);
+      if (!input.contains(at) || input.at(at).coverage <= 0.0) continue;
+      pixels.push_back(&input.at(at));
+      result.samples += input.at(at).coverage;
     }
   }
-  Statistics result{.samples = static_cast<int>(colours.size())};
   double mean_brightness = 0.0;
-  for (const auto& colour : colours) {
-    result.mean_colour += colour / static_cast<double>(colours.size());
-    mean_brightness += brightness(colour) / static_cast<double>(colours.size());
+  for (const BranchPixel* pixel : pixels) {
+    result.mean_colour += pixel->colour * pixel->coverage / result.samples;
+    mean_brightness += brightness(pixel->colour) * pixel->coverage / result.samples;
   }
-  for (const auto& colour : colours) {
-    const double offset = brightness(colour) - mean_brightness;
-    result.variance += offset * offset / static_cast<double>(colours.size());
+  for (const BranchPixel* pixel : pixels) {
+    const double offset = brightness(pixel->colour) - mean_brightness;
+    result.variance += offset * offset * pixel->coverage / result.samples;
   }
   return result;
 }
@@ -46,13 +48,12 @@ Statistics quadrant(const BranchImage& input, glm::ivec2 centre, glm::ivec2 dire
 glm::dvec3 kuwahara_colour(const BranchImage& input, glm::ivec2 centre, int radius_px) {
   std::array<Statistics, 4> quadrants;
   const std::array<glm::ivec2, 4> directions{glm::ivec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}};
-  int most = 0;
+  double most = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
     quadrants[i] = quadrant(input, centre, directions[i], radius_px);
     most = std::max(most, quadrants[i].samples);
   }
-  const double enough =
-      std::min(0.25 * (radius_px + 1) * (radius_px + 1), static_cast<double>(most));
+  const double enough = std::min(0.25 * (radius_px + 1) * (radius_px + 1), most);
   double least = 1e9;
   for (const auto& q : quadrants) {
     if (q.samples >= enough) least = std::min(least, q.variance);

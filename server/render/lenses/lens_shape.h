@@ -6,8 +6,8 @@
 
 namespace cutaway {
 
-/// One registry entry: a GLSL file that defines `lens_interval` and `lens_normal` (see
-/// shaders/lens_sphere.glsl), and how its uniforms follow from the lens.
+/// One registry entry: a GLSL file that defines `lens_interval`, `lens_normal` and
+/// `lens_offset` (see shaders/lens_sphere.glsl), and how its uniforms follow from the lens.
 struct LensShape {
   const char* name;
   const char* shader;

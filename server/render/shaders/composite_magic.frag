@@ -17,7 +17,7 @@ uniform bool lens_strict;  // the context fades where the focus is empty, too
 layout(location = 0) out vec4 picture;
 
 float focus_weight(float offset) {
-  if (lens_softness == 0.0) return offset < 1.0 ? lens_strength : 0.0;
+  if (1.0 - lens_softness >= 1.0) return offset < 1.0 ? lens_strength : 0.0;
   return lens_strength * (1.0 - smoothstep(1.0 - lens_softness, 1.0, offset));
 }
 

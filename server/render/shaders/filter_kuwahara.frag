@@ -1,6 +1,7 @@
 #version 450 core
 // Kuwahara's edge-preserving flattening: of the four quadrants of the window that hold the centre, the mean colour of the
-// one whose brightness varies least; of several that vary equally little, the average, so that ramps do not shift.
+// one whose brightness varies least; of several that vary equally little, the average, so that ramps do not shift. A pixel
+// weighs as much as the branch covers it.
 // Source: M. Kuwahara et al., "Processing of RI-angiocardiographic images", 1976.
 #include "filter.glsl"
 
@@ -12,17 +13,17 @@ struct Quadrant {
   vec3 colour_sum;
   float offset_sum;          // brightness against the centre's: E[y^2]-E[y]^2 loses its digits near white
   float offset_squared_sum;
-  float samples;
+  float samples;             // sum of weights
 };
 
-// Pixels outside of the picture or of the branch weigh nothing.
-Quadrant gather(ivec2 centre, ivec2 direction, float centre_brightness) {
+// Pixels outside of the picture weigh nothing. A negative radius looks at none.
+Quadrant gather(ivec2 centre, ivec2 direction, int radius, float centre_brightness) {
   Quadrant quadrant = Quadrant(vec3(0.0), 0.0, 0.0, 0.0);
-  for (int y = 0; y <= radius_px; ++y) {
-    for (int x = 0; x <= radius_px; ++x) {
+  for (int y = 0; y <= radius; ++y) {
+    for (int x = 0; x <= radius; ++x) {
       ivec2 pixel = centre + direction * ivec2(x, y);
       vec4 colour = texelFetch(colour_texture, clamp(pixel, ivec2(0), textureSize(colour_texture, 0) - 1), 0);
-      float weight = is_in_picture(pixel) && colour.a > 0.0 ? 1.0 : 0.0;
+      float weight = is_in_picture(pixel) ? colour.a : 0.0;
       float offset = brightness(colour.rgb) - centre_brightness;
       quadrant.colour_sum += weight * colour.rgb;
       quadrant.offset_sum += weight * offset;
@@ -41,8 +42,8 @@ float variance(Quadrant quadrant) {
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 centre = texelFetch(colour_texture, pixel, 0);
-  filtered = centre;
-  if (centre.a == 0.0 || radius_px == 0) return;
+  bool is_asked = centre.a > 0.0 && radius_px > 0;
+  int radius = is_asked ? radius_px : -1;  // in software the loops then end at once
 
   Quadrant quadrants[4];
   float variances[4];
@@ -51,7 +52,7 @@ void main() {
   float enough = 0.25 * float((radius_px + 1) * (radius_px + 1));
   float most_samples = 0.0;
   for (int i = 0; i < 4; ++i) {
-    quadrants[i] = gather(pixel, ivec2(i % 2 == 0 ? -1 : 1, i < 2 ? -1 : 1), brightness(centre.rgb));
+    quadrants[i] = gather(pixel, ivec2(i % 2 == 0 ? -1 : 1, i < 2 ? -1 : 1), radius, brightness(centre.rgb));
     variances[i] = variance(quadrants[i]);
     most_samples = max(most_samples, quadrants[i].samples);
   }
@@ -66,5 +67,5 @@ void main() {
     mean_sum += quadrants[i].colour_sum / quadrants[i].samples;
     chosen += 1.0;
   }
-  filtered = vec4(mean_sum / chosen, centre.a);
+  filtered = is_asked ? vec4(mean_sum / chosen, centre.a) : centre;
 }

@@ -28,6 +28,10 @@ class SceneFiles : public ::testing::Test {
     return file;
   }
 
+  static std::string style(const std::string& scene, const std::string& more = "") {
+    return R"({"name": "x", "title": "X", "description": "", "scene": )" + scene + more + "}";
+  }
+
   static Error::Detail refusal(const fs::path& file) {
     try {
       read_scene_file(file);
@@ -43,8 +47,18 @@ class SceneFiles : public ::testing::Test {
 
 TEST_F(SceneFiles, AreTakenAsSceneOrAsStyle) {
   EXPECT_EQ(read_scene_file(write(R"({"volume": "phantom:head"})"))["volume"], "phantom:head");
-  const fs::path style = write(R"({"name": "x", "scene": {"lens": {"radius_mm": 20}}})");
-  EXPECT_EQ(read_scene_file(style)["lens"]["radius_mm"], 20);
+  EXPECT_EQ(read_scene_file(write(style(R"({"lens": {"radius_mm": 20}})")))["lens"]["radius_mm"],
+            20);
+}
+
+TEST_F(SceneFiles, AStyleOfAnotherVersionOrWithUnknownFieldsIsRefused) {
+  for (const char* version : {"0", "2"}) {
+    const fs::path file = write(style("{}", std::string(R"(, "version": )") + version));
+    EXPECT_EQ(refusal(file).code, "out-of-range") << version;
+    EXPECT_EQ(refusal(file).field, file.string() + "#/version");
+  }
+  EXPECT_EQ(refusal(write(style("{}", R"(, "foo": 1)"))).code, "unknown-field");
+  EXPECT_EQ(refusal(write(R"({"name": "x", "scene": {}})")).code, "missing-field");
 }
 
 TEST_F(SceneFiles, NestedTooDeeplyAreRefusedHoweverDeep) {
@@ -68,8 +82,8 @@ TEST_F(SceneFiles, WithAWrongFieldNameFileAndField) {
   const fs::path scene = write(R"({"lens": {"radius_mm": "large"}})");
   EXPECT_EQ(refusal(scene).code, "wrong-type");
   EXPECT_EQ(refusal(scene).field, scene.string() + "#/lens/radius_mm");
-  const fs::path style = write(R"({"name": "x", "scene": {"lens": {"radius_mm": "large"}}})");
-  EXPECT_EQ(refusal(style).field, style.string() + "#/scene/lens/radius_mm");
+  const fs::path file = write(style(R"({"lens": {"radius_mm": "large"}})"));
+  EXPECT_EQ(refusal(file).field, file.string() + "#/scene/lens/radius_mm");
   EXPECT_EQ(refusal(write(R"({"lens": {"radius_mm": 1e999}})")).code, "not-finite");
 }
 

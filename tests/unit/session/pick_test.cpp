@@ -90,10 +90,11 @@ TEST_F(PickTest, BesideTheVolumeThereIsNothing) {
   EXPECT_EQ(pick(scene, volume, {5.0, 5.0}), std::nullopt);
 }
 
-TEST_F(PickTest, ACameraInsideTheFocusSeesItAtTheEye) {
+// As the picture has it: no cut at the eye; behind the lens the context is met where the lens ends.
+TEST_F(PickTest, ACameraInsideTheFocusLooksThroughIt) {
   scene.camera.eye_mm = {20.0, 0.0, 0.0};
   scene.lens = {.mode = LensMode::cutaway, .centre_mm = {20.0, 0.0, 0.0}, .radius_mm = 10.0};
-  expect_hit(kMiddle, PickedBranch::focus, {20.0, 0.0, 0.0});
+  expect_hit(kMiddle, PickedBranch::context, {10.0, 0.0, 0.0});
 }
 
 TEST_F(PickTest, TheLensIsDraggedOverTheContextAsIfItWereNotThere) {
