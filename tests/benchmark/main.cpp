@@ -1,5 +1,6 @@
 // cutaway-benchmark: times frames and stages for each volume, size and configuration.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -16,6 +17,8 @@ struct Options {
   std::vector<std::string> sizes = {"512x512", "1280x720", "1920x1080"};
   int phantom_size_voxels = 256;
   std::optional<std::filesystem::path> data;
+  std::vector<std::string> volumes;
+  std::vector<std::string> cases;
   std::string json_path;
   FrameBudget budget;
   bool require_gpu = false;
@@ -33,6 +36,13 @@ Viewport parse_size(const std::string& text) {
                .received = text});
 }
 
+/// Whether a name is one of those that were asked for by a part of it; all are where none was.
+bool is_wanted(const std::string& name, const std::vector<std::string>& parts) {
+  return parts.empty() || std::ranges::any_of(parts, [&](const std::string& part) {
+           return name.find(part) != std::string::npos;
+         });
+}
+
 void measure_volume(const NamedVolume& volume, const Options& options, const gl::Context& context,
                     Report& report) {
   const auto loaded = volume.load();
@@ -41,8 +51,10 @@ void measure_volume(const NamedVolume& volume, const Options& options, const gl:
   for (const std::string& size_text : options.sizes) {
     const Viewport size = parse_size(size_text);
     report.begin_size(size);
-    for (const FrameCase& frame_case : frame_cases())
+    for (const FrameCase& frame_case : frame_cases()) {
+      if (!is_wanted(frame_case.name, options.cases)) continue;
       report.add(frame_case.name, timing.measure(frame_case, size, options.budget));
+    }
   }
 }
 
@@ -60,8 +72,9 @@ void run(const Options& options) {
   machine.renderer = context->renderer();
   machine.software_renderer = context->is_software();
   Report report(machine);
-  for (const NamedVolume& volume : volumes_to_measure(options.phantom_size_voxels, options.data))
-    measure_volume(volume, options, *context, report);
+  for (const NamedVolume& volume : volumes_to_measure(options.phantom_size_voxels, options.data)) {
+    if (is_wanted(volume.name, options.volumes)) measure_volume(volume, options, *context, report);
+  }
   if (!options.json_path.empty()) write_json(report.json(), options.json_path);
 }
 
@@ -70,6 +83,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--phantom-size", options.phantom_size_voxels, "Voxels an edge of the phantoms")
       ->capture_default_str();
   app.add_option("--data", options.data, "Folder whose CTs are measured too");
+  app.add_option("--volumes", options.volumes, "Parts of the names of those to measure");
+  app.add_option("--cases", options.cases, "Parts of the names of those to measure");
   app.add_option("--json", options.json_path, "File for the figures as JSON");
   app.add_option("--seconds", options.budget.seconds, "For each case")->capture_default_str();
   app.add_option("--frames", options.budget.most, "For each case at most")->capture_default_str();
