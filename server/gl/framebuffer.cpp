@@ -6,7 +6,8 @@
 
 namespace cutaway::gl {
 
-Framebuffer::Framebuffer(std::initializer_list<const Texture2D*> attachments) {
+Framebuffer::Framebuffer(std::initializer_list<const Texture2D*> attachments,
+                         const Texture2D* depth) {
   GLuint name = 0;
   glCreateFramebuffers(1, &name);
   handle_ = FramebufferHandle(name);
@@ -15,9 +16,9 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture2D*> attachments) {
     const GLenum point = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size());
     glNamedFramebufferTexture(name, point, texture->name(), 0);
     buffers.push_back(point);
-    ++attachments_;
     size_px_ = texture->size_px();
   }
+  if (depth != nullptr) glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, depth->name(), 0);
   glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(buffers.size()), buffers.data());
   check_equal(glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER),
               GLenum{GL_FRAMEBUFFER_COMPLETE}, "framebuffer is complete");
@@ -36,9 +37,21 @@ void Framebuffer::bind(const PixelRect& region) const {
   glScissor(region.begin.x, region.begin.y, size.x, size.y);
 }
 
-void Framebuffer::clear(const glm::vec4& value) const {
+void Framebuffer::clear(std::initializer_list<glm::vec4> values) const {
   bind();
-  for (int i = 0; i < attachments_; ++i) glClearBufferfv(GL_COLOR, i, &value[0]);
+  GLint attachment = 0;
+  for (const glm::vec4& value : values) glClearBufferfv(GL_COLOR, attachment++, &value[0]);
+}
+
+DepthTest::DepthTest(Rule rule) {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(rule == keep_nearest ? GL_LESS : GL_GREATER);
+  glDepthMask(rule == keep_nearest ? GL_TRUE : GL_FALSE);
+}
+
+DepthTest::~DepthTest() {
+  glDisable(GL_DEPTH_TEST);
+  glDepthMask(GL_TRUE);
 }
 
 FullscreenTriangle::FullscreenTriangle() {

@@ -15,11 +15,17 @@ struct PixelRect {
   bool operator==(const PixelRect&) const = default;
 };
 
+/// Depths as GL counts them.
+inline constexpr float kNearest = 0.0F;
+inline constexpr float kFarthest = 1.0F;
+
 /// Colour attachments 0.. in the order given, all of one size. The textures must outlive it.
 class Framebuffer {
  public:
   Framebuffer() = default;
-  explicit Framebuffer(std::initializer_list<const Texture2D*> attachments);
+  /// `depth`: the depth attachment, if there is to be one.
+  explicit Framebuffer(std::initializer_list<const Texture2D*> attachments,
+                       const Texture2D* depth = nullptr);
 
   GLuint name() const { return handle_.name(); }
 
@@ -27,17 +33,32 @@ class Framebuffer {
   void bind() const;
   /// The same, but nothing is drawn outside of `region`.
   void bind(const PixelRect& region) const;
-  /// Sets every pixel of every attachment.
-  void clear(const glm::vec4& value) const;
+  /// Sets every pixel of the first colour attachments, to a value each.
+  void clear(std::initializer_list<glm::vec4> values) const;
+  /// Of the framebuffer that is bound.
+  static void clear_depth(float depth) { glClearBufferfv(GL_DEPTH, 0, &depth); }
   glm::ivec2 size_px() const { return size_px_; }
 
  private:
   FramebufferHandle handle_;
-  int attachments_ = 0;
   glm::ivec2 size_px_{0};
 };
 
-/// One triangle that covers the viewport; the vertex shader makes its corners from gl_VertexID.
+/// A depth test for as long as it lives; without one nothing is tested.
+class DepthTest {
+ public:
+  enum Rule {
+    keep_nearest,  ///< draws what is nearest, and its depth
+    over_drawn     ///< draws only where something nearer than the farthest was drawn before
+  };
+  explicit DepthTest(Rule rule);
+  ~DepthTest();
+  DepthTest(const DepthTest&) = delete;
+  DepthTest& operator=(const DepthTest&) = delete;
+};
+
+/// One triangle that covers the viewport at the farthest depth; the vertex shader makes its corners
+/// from gl_VertexID.
 class FullscreenTriangle {
  public:
   FullscreenTriangle();

@@ -26,6 +26,8 @@ std::uint64_t texel_bytes(GLenum internal_format) {
     case GL_RGBA16F:
       return 8;
     case GL_RGBA8:
+    case GL_R32F:
+    case GL_DEPTH_COMPONENT32F:
       return 4;
     default:
       check_equal(internal_format, GLenum{GL_R8}, "the size of each format in use is known");

@@ -8,8 +8,14 @@ namespace cutaway {
 
 namespace {
 
+/// No coverage.
+constexpr glm::vec4 kNothing(0.0F);
+
 /// Of a ray, in units of a pixel of a simple pass.
 constexpr int kRayCost = 4;
+
+/// The region of a pass that is drawn as one.
+constexpr gl::PixelRect kIndivisible{{0, 0}, {1, 1}};
 
 /// The lens as far as rays are concerned: moving a slider of the composite casts none.
 Lens region_of(const Lens& lens) {
@@ -66,6 +72,7 @@ StageCounts ViewState::counts() const {
 
 FramePipeline::FramePipeline()
     : shaders_(shader_library()),
+      entry_pass_(shaders_),
       ray_cast_pass_(shaders_),
       shade_pass_(shaders_),
       resolve_pass_(shaders_),
@@ -82,7 +89,8 @@ FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& vo
   FramePlan plan;
   const Draft draft{view, *view.buffers_, settings,
                     view_regions(scene, volume.volume().geometry, settings.picture_size_px), plan};
-  const RayCastKey rays = ray_cast_key(scene, volume, settings);
+  RayCastKey rays = ray_cast_key(scene, volume, settings);
+  rays.entry_version = find_entries(draft, rays, volume);
   const std::uint64_t surface = cast_rays(draft, rays, volume);
   const auto looks = looks_of(scene);
   const auto branch = [&](BranchIndex index, const Branch& described) {
@@ -97,6 +105,22 @@ FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& vo
                     scene.background, magic_lens(scene, rays.rays)});
   convert(draft);
   return plan;
+}
+
+std::uint64_t FramePipeline::find_entries(const Draft& draft, const RayCastKey& rays,
+                                          GpuVolume& volume) {
+  const EntryKey key =
+      entry_key(volume, rays.rays, {rays.surfaces[kContext].band, rays.surfaces[kFocus].band},
+                rays.skip_empty_space);
+  const ViewBuffers& buffers = draft.buffers;
+  return draft.view.entry_.schedule(
+      key, draft.plan,
+      {.name = "entry",
+       .region = kIndivisible,
+       .begin = {},
+       .draw = [this, key, &volume,
+                &buffers](const gl::PixelRect&) { entry_pass_.run(key, volume, buffers); },
+       .done = [this] { ran("entry"); }});
 }
 
 std::uint64_t FramePipeline::cast_rays(const Draft& draft, const RayCastKey& key,
@@ -123,7 +147,7 @@ FramePipeline::BranchPicture FramePipeline::shade(const Draft& draft, BranchInde
       key, draft.plan,
       {.name = "shade",
        .region = draft.regions.branches[index],
-       .begin = [&buffers] { buffers.shade_target.clear(glm::vec4(0.0F)); },
+       .begin = [&buffers] { buffers.shade_target.clear({kNothing, kNothing}); },
        .draw =
            [this, key, index, &buffers,
             rays = draft.settings.supersampling](const gl::PixelRect& strip) {
@@ -141,7 +165,7 @@ FramePipeline::BranchPicture FramePipeline::resolve(const Draft& draft, BranchIn
       key, draft.plan,
       {.name = "resolve",
        .region = draft.regions.branches[index],
-       .begin = [&buffers] { buffers.shade_target.clear(glm::vec4(0.0F)); },
+       .begin = [&buffers] { buffers.shade_target.clear({kNothing, kNothing}); },
        .draw =
            [this, &buffers, rays = draft.settings.supersampling](const gl::PixelRect& strip) {
              resolve_pass_.run(buffers, strip, rays, triangle_);
@@ -164,7 +188,7 @@ FramePipeline::BranchPicture FramePipeline::filter(const Draft& draft, BranchInd
         key, draft.plan,
         {.name = filters[i].name,
          .region = draft.regions.branches[index],
-         .begin = [&target] { target.framebuffer.clear(glm::vec4(0.0F)); },
+         .begin = [&target] { target.framebuffer.clear({kNothing}); },
          .draw =
              [this, key, &buffers, &target, input = picture.texture](const gl::PixelRect& strip) {
                filter_pass_.run(key, {*input, buffers.silhouette, buffers.surface},
@@ -198,7 +222,7 @@ void FramePipeline::convert(const Draft& draft) {
   buffers.prepare_planes(layout);
   draft.plan.add(
       {.name = "convert",
-       .region = {{0, 0}, {1, 1}},
+       .region = kIndivisible,
        .begin = {},
        .draw = [this, layout,
                 &buffers](const gl::PixelRect&) { convert_pass_.run(layout, buffers, triangle_); },

@@ -10,6 +10,7 @@
 
 #include "render/composite_pass.h"
 #include "render/convert_pass.h"
+#include "render/entry_pass.h"
 #include "render/filters/filter_pass.h"
 #include "render/frame_plan.h"
 #include "render/gpu_volume.h"
@@ -45,6 +46,7 @@ class ViewState {
     std::deque<Stage<FilterKey>> filters;  ///< stay where they are while a plan refers to them
   };
   std::optional<ViewBuffers> buffers_;
+  Stage<EntryKey> entry_;
   Stage<RayCastKey> ray_cast_;
   std::array<Branch, kBranches> branches_;
   Stage<CompositeKey> composite_;
@@ -96,6 +98,7 @@ class FramePipeline {
     const gl::Texture2D* texture;
     std::uint64_t version;
   };
+  std::uint64_t find_entries(const Draft& draft, const RayCastKey& rays, GpuVolume& volume);
   std::uint64_t cast_rays(const Draft& draft, const RayCastKey& key, GpuVolume& volume);
   BranchPicture shade(const Draft& draft, BranchIndex index, const ShadeKey& key);
   BranchPicture resolve(const Draft& draft, BranchIndex index, std::uint64_t layers_version);
@@ -107,6 +110,7 @@ class FramePipeline {
 
   gl::FullscreenTriangle triangle_;
   gl::ShaderLibrary shaders_;
+  EntryPass entry_pass_;
   RayCastPass ray_cast_pass_;
   ShadePass shade_pass_;
   ResolvePass resolve_pass_;

@@ -10,7 +10,6 @@ namespace cutaway {
 
 namespace {
 
-constexpr std::size_t kKeptDistanceMaps = 16;
 constexpr std::size_t kSlabBytes = std::size_t{8} << 20;
 
 struct VoxelFormat {
@@ -26,16 +25,6 @@ VoxelFormat voxel_format(const Voxels& voxels) {
   }
   const auto& floats = std::get<std::vector<float>>(voxels);
   return {GL_R32F, GL_FLOAT, 4, reinterpret_cast<const std::uint8_t*>(floats.data())};
-}
-
-std::vector<std::uint8_t> interleaved(const std::vector<std::uint8_t>& a,
-                                      const std::vector<std::uint8_t>& b) {
-  std::vector<std::uint8_t> both(a.size() * 2);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    both[2 * i] = a[i];
-    both[2 * i + 1] = b[i];
-  }
-  return both;
 }
 
 // A device says so once, at the call that it could not serve.
@@ -97,29 +86,11 @@ void GpuVolume::set_uniforms(const gl::Program& program, int unit) const {
   program.set("volume_direction", glm::mat3(geometry.direction_patient));
 }
 
-void GpuVolume::set_empty_space(const gl::Program& program, int unit, const ValueBand& context,
-                                const ValueBand& focus) {
-  program.set_texture("distance_maps", unit, distance_maps(context, focus));
+void GpuVolume::set_empty_space(const gl::Program& program, int unit,
+                                const EmptySpaceMaps& maps) const {
+  program.set_texture("distance_maps", unit, maps.distances.name());
   program.set("brick_size", static_cast<float>(loaded_->min_max.brick_size));
   program.set("size_bricks", loaded_->min_max.size_bricks);
-}
-
-GLuint GpuVolume::distance_maps(const ValueBand& context, const ValueBand& focus) {
-  const auto known = std::ranges::find_if(distance_maps_, [&](const DistanceMaps& maps) {
-    return maps.context == context && maps.focus == focus;
-  });
-  if (known != distance_maps_.end()) {
-    distance_maps_.splice(distance_maps_.begin(), distance_maps_, known);
-    return distance_maps_.front().texture.name();
-  }
-  const glm::ivec3 size = loaded_->min_max.size_bricks;
-  const auto texels = interleaved(chebyshev_distance_map(loaded_->min_max, context),
-                                  chebyshev_distance_map(loaded_->min_max, focus));
-  gl::Texture3D texture(GL_RG8UI, size, gl::Filtering::nearest);
-  texture.upload_slices(0, size.z, GL_RG_INTEGER, GL_UNSIGNED_BYTE, texels.data());
-  distance_maps_.push_front({context, focus, std::move(texture)});
-  if (distance_maps_.size() > kKeptDistanceMaps) distance_maps_.pop_back();
-  return distance_maps_.front().texture.name();
 }
 
 }  // namespace cutaway

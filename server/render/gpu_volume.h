@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <list>
 #include <memory>
 
 #include "gl/program.h"
 #include "gl/texture.h"
+#include "render/empty_space.h"
 #include "volume/loaded_volume.h"
 
 namespace cutaway {
@@ -39,26 +39,19 @@ class GpuVolume {
   /// Uniforms of shaders/volume.glsl; the texture goes to `unit`.
   void set_uniforms(const gl::Program& program, int unit) const;
 
-  /// Uniforms of shaders/empty_space.glsl for the bands of context and focus; their maps go to
-  /// `unit`. Maps are computed at their first use and kept while they are among the most recently
-  /// used.
-  void set_empty_space(const gl::Program& program, int unit, const ValueBand& context,
-                       const ValueBand& focus);
+  /// For the bands of context and focus; see EmptySpace.
+  const EmptySpaceMaps& empty_space(const ValueBand& context, const ValueBand& focus) {
+    return empty_space_.maps(loaded_->min_max, context, focus);
+  }
+  /// Uniforms of shaders/empty_space.glsl; the distances go to `unit`.
+  void set_empty_space(const gl::Program& program, int unit, const EmptySpaceMaps& maps) const;
 
  private:
-  /// One texture for both branches: a sample then costs one fetch, whichever branch it is of.
-  struct DistanceMaps {
-    ValueBand context;
-    ValueBand focus;
-    gl::Texture3D texture;
-  };
-  GLuint distance_maps(const ValueBand& context, const ValueBand& focus);
-
   std::shared_ptr<const LoadedVolume> loaded_;
   gl::Texture3D texture_;
   int uploaded_slices_ = 0;
-  double stored_scale_ = 1.0;              ///< texture units per stored number
-  std::list<DistanceMaps> distance_maps_;  ///< most recently used first
+  double stored_scale_ = 1.0;  ///< texture units per stored number
+  EmptySpace empty_space_;
 };
 
 }  // namespace cutaway

@@ -20,8 +20,9 @@ constexpr double kRimVoxels = 2.0;
 /// Above every stored value.
 constexpr float kNoUpperLimit = 3e38F;
 
-/// A surface that left the volume, and no layer: opacity is the last component of both.
+/// See shaders/branches.glsl: the ray left the volume.
 constexpr glm::vec4 kNothingMet(0.0F, 0.0F, 0.0F, -1.0F);
+constexpr glm::vec4 kNoLayer(0.0F);
 
 constexpr std::array kModes = {LensMode::none, LensMode::cutaway, LensMode::magic};
 
@@ -95,7 +96,11 @@ const RayCastPass::Entry& RayCastPass::entry_for(const Lens& lens) const {
 }
 
 void RayCastPass::clear(const RayCastKey& key, const ViewBuffers& buffers) {
-  (key.is_translucent() ? buffers.layers_target : buffers.surface_target).clear(kNothingMet);
+  if (key.is_translucent()) {
+    buffers.layers_target.clear({kNothingMet, kNothingMet, kNoLayer, kNoLayer});
+  } else {
+    buffers.surface_target.clear({kNothingMet, kNothingMet});
+  }
 }
 
 void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, const ViewBuffers& buffers,
@@ -104,7 +109,9 @@ void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, const ViewBuffer
   const gl::Program& program = key.is_translucent() ? entry.translucent : entry.opaque;
   program.use();
   volume.set_uniforms(program, 0);
-  volume.set_empty_space(program, 1, key.surfaces[kContext].band, key.surfaces[kFocus].band);
+  volume.set_empty_space(
+      program, 1, volume.empty_space(key.surfaces[kContext].band, key.surfaces[kFocus].band));
+  program.set_texture("entry_texture", 2, buffers.entry.name());
   set_view_rays(program, key.rays);
   program.set("surface_size_px", buffers.surface_size_px());
   program.set("pixel_size", 2.0F * glm::length(key.rays.view_up) /
@@ -117,6 +124,7 @@ void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, const ViewBuffer
   } else {
     buffers.surface_target.bind(strip);
   }
+  const gl::DepthTest test(gl::DepthTest::over_drawn);
   triangle.draw();
 }
 

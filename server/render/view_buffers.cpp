@@ -21,7 +21,11 @@ ViewBuffers::ViewBuffers(glm::ivec2 picture_size_px, int supersampling)
     branch.silhouette = gl::Texture2D(GL_R8, picture_size_px, gl::Filtering::nearest);
     branch.shade_target = gl::Framebuffer({&branch.shaded, &branch.silhouette});
   }
-  surface_target = gl::Framebuffer({&branches[kContext].surface, &branches[kFocus].surface});
+  entry = gl::Texture2D(GL_R32F, surface_size_px(), gl::Filtering::nearest);
+  entry_depth = gl::Texture2D(GL_DEPTH_COMPONENT32F, surface_size_px(), gl::Filtering::nearest);
+  entry_target = gl::Framebuffer({&entry}, &entry_depth);
+  surface_target =
+      gl::Framebuffer({&branches[kContext].surface, &branches[kFocus].surface}, &entry_depth);
   picture = colour_target(GL_RGBA8, picture_size_px);
 }
 
@@ -44,7 +48,8 @@ ColourTarget& ViewBuffers::filtered(BranchIndex branch, std::size_t index) {
 }
 
 std::uint64_t ViewBuffers::bytes() const {
-  std::uint64_t sum = picture.texture.bytes() + luma.texture.bytes() + cb.bytes() + cr.bytes();
+  std::uint64_t sum = picture.texture.bytes() + entry.bytes() + entry_depth.bytes() +
+                      luma.texture.bytes() + cb.bytes() + cr.bytes();
   for (const BranchBuffers& branch : branches) {
     sum += branch.surface.bytes() + branch.layers.bytes() + branch.shaded.bytes() +
            branch.silhouette.bytes();
@@ -58,7 +63,8 @@ void ViewBuffers::prepare_layers() {
   for (BranchBuffers& branch : branches)
     branch.layers = gl::Texture2D(GL_RGBA32F, surface_size_px(), gl::Filtering::nearest);
   layers_target = gl::Framebuffer({&branches[kContext].surface, &branches[kFocus].surface,
-                                   &branches[kContext].layers, &branches[kFocus].layers});
+                                   &branches[kContext].layers, &branches[kFocus].layers},
+                                  &entry_depth);
 }
 
 void ViewBuffers::prepare_planes(PixelLayout layout) {

@@ -54,6 +54,9 @@ class ViewBuffers {
   void prepare_planes(PixelLayout layout);
 
   std::array<BranchBuffers, kBranches> branches;
+  gl::Texture2D entry;        ///< R32F, mm along the ray where it comes to something; surface size
+  gl::Texture2D entry_depth;  ///< says the same to the depth test
+  gl::Framebuffer entry_target;
   gl::Framebuffer surface_target;  ///< both branches' surfaces
   gl::Framebuffer layers_target;   ///< both branches' surfaces, then their layers
   ColourTarget picture;            ///< RGBA8

@@ -1,7 +1,9 @@
 // The bands of values that make up the two branches' material.
 
 uniform vec2 lower_limits;  // stored units, by branch
-uniform vec2 upper_limits;  // without an upper end: larger than any value
+uniform vec2 upper_limits;  // NO_UPPER_LIMIT: larger than any value
+
+const float NO_UPPER_LIMIT = 3e38;
 
 // Where a value lies: below the band, in it, above it.
 const int BELOW = -1;

@@ -43,6 +43,12 @@ void add_translucent(Ray ray, Course course, Stretch stretch, inout float transm
   float near_mm = stretch.begin_mm;
   float near_value = value_along(ray, near_mm);
   int number = sample_after(course, near_mm);
+  int before_entry = skip_empty_space ? sample_before_entry(course) : -1;
+  if (before_entry > number) {
+    number = before_entry + 1;
+    near_mm = min(sample_mm(course, before_entry), stretch.end_mm);
+    near_value = value_along(ray, near_mm);
+  }
   while (near_mm < stretch.end_mm && transmittance > LEAST_TRANSMITTANCE) {
     float far_mm = min(sample_mm(course, number), stretch.end_mm);
     float far_value = value_along(ray, far_mm);

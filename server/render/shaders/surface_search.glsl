@@ -4,6 +4,7 @@
 // through: so one loop, with one sample of the volume in it, goes through all parts of the ray, and what a ray that meets
 // nothing does not need stands in loops too.
 
+uniform sampler2D entry_texture;  // mm along the ray before which there is nothing of either branch
 uniform float step_mm;
 uniform int refinement_steps;
 
@@ -31,6 +32,12 @@ int sample_after(Course course, float distance_mm) {
 
 float sample_mm(Course course, int number) { return course.volume_mm.x + float(number) * step_mm; }
 
+// Number of the last sample before the ray comes to anything.
+int sample_before_entry(Course course) {
+  float entry_mm = texelFetch(entry_texture, ivec2(gl_FragCoord.xy), 0).r;
+  return sample_after(course, entry_mm) - 2;  // one to spare for rounding
+}
+
 // Number of the next sample that must be looked at after the one at `at_mm`; `number` is the last one up to there.
 int next_sample(Ray ray, Course course, Stretch stretch, float at_mm, int number) {
   int reached = number;
@@ -44,36 +51,50 @@ int next_sample(Ray ray, Course course, Stretch stretch, float at_mm, int number
   return max(number + 1, reached);
 }
 
+// The search's state: where it looks next, and what it knows of the sample before.
+struct Search {
+  Stretch stretch;
+  float at_mm;
+  int number;   // the last sample up to at_mm
+  bool begins;  // at the begin of the stretch, of whose sides nothing is known
+};
+
+// Where the begin lies before anything that the ray comes to, it is below a band without an upper end.
+Search search_of(Course course, int part, int before_entry) {
+  Stretch stretch = stretch_of(course, part);
+  int number = sample_after(course, stretch.begin_mm) - 1;
+  if (before_entry <= number || upper_limits[stretch.branch] < NO_UPPER_LIMIT)
+    return Search(stretch, stretch.begin_mm, number, true);
+  return Search(stretch, min(sample_mm(course, before_entry), stretch.end_mm), before_entry, false);
+}
+
 // The first surface in the parts from `part` to `last` of a course.
 Bracket bracket_surface(Ray ray, Course course, int part, int last) {
+  int before_entry = skip_empty_space ? sample_before_entry(course) : -1;
   if (part < last && is_empty(stretch_of(course, part))) ++part;
-  Stretch stretch = stretch_of(course, part);
-  Bracket bracket = Bracket(stretch.branch, BELOW, stretch.begin_mm, NO_HIT, false);
-  float at_mm = stretch.begin_mm;
-  int number = sample_after(course, at_mm) - 1;
-  bool begins = true;
-  bool searches = !is_empty(stretch);
+  Search search = search_of(course, part, before_entry);
+  Bracket bracket = Bracket(search.stretch.branch, BELOW, search.stretch.begin_mm, NO_HIT, false);
+  bool searches = !is_empty(search.stretch);
   while (searches) {
-    int side = band_side(stretch.branch, value_along(ray, at_mm));
-    bool is_cut = begins && side == IN_BAND && !stretch.starts_open;
-    bool enters = !begins && side != bracket.side && bracket.side != IN_BAND;
+    int side = band_side(search.stretch.branch, value_along(ray, search.at_mm));
+    bool is_cut = search.begins && side == IN_BAND && !search.stretch.starts_open;
+    bool enters = !search.begins && side != bracket.side && bracket.side != IN_BAND;
     if (is_cut || enters) {
-      bracket.branch = stretch.branch;
-      bracket.far_mm = at_mm;
+      bracket.branch = search.stretch.branch;
+      bracket.far_mm = search.at_mm;
       bracket.is_cut = is_cut;
       searches = false;
-    } else if (at_mm < stretch.end_mm) {
+    } else if (search.at_mm < search.stretch.end_mm) {
       // What is leapt over lies on this side too: its last sample is as good as one that was looked at.
-      number = next_sample(ray, course, stretch, at_mm, number);
-      bracket.near_mm = max(at_mm, min(sample_mm(course, number - 1), stretch.end_mm));
+      search.number = next_sample(ray, course, search.stretch, search.at_mm, search.number);
+      bracket.near_mm = max(search.at_mm, min(sample_mm(course, search.number - 1), search.stretch.end_mm));
       bracket.side = side;
-      at_mm = min(sample_mm(course, number), stretch.end_mm);
-      begins = false;
+      search.at_mm = min(sample_mm(course, search.number), search.stretch.end_mm);
+      search.begins = false;
     } else {
-      stretch = stretch_of(course, ++part);
-      number = sample_after(course, stretch.begin_mm) - 1;
-      begins = true;
-      searches = part <= last && !is_empty(stretch);
+      search = search_of(course, ++part, before_entry);
+      bracket.side = BELOW;
+      searches = part <= last && !is_empty(search.stretch);
     }
   }
   return bracket;

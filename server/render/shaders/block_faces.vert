@@ -1,0 +1,24 @@
+#version 450 core
+// The corners of the blocks' faces, as the view sees them. Row 0 is the upper row, as for rays (view_ray.glsl).
+#include "view_ray.glsl"
+#include "volume.glsl"
+
+uniform vec3 volume_origin_mm;  // centre of voxel (0,0,0), patient space
+uniform int block_cells;
+uniform float nearest_mm;       // perspective: what is nearer is cut off
+uniform float farthest_mm;      // orthographic: depth of all at the most
+
+layout(location = 0) in uvec4 block_corner;
+
+out vec3 position_mm;
+
+void main() {
+  vec3 index = min(vec3(block_corner.xyz * uint(block_cells)), last_index());
+  position_mm = volume_origin_mm + volume_direction * (index * volume_spacing_mm);
+  vec3 from_eye = position_mm - eye_mm;
+  float depth_mm = dot(from_eye, view_forward);
+  vec2 across = vec2(dot(from_eye, view_right) / dot(view_right, view_right),
+                     -dot(from_eye, view_up) / dot(view_up, view_up));
+  gl_Position = is_perspective ? vec4(across, depth_mm - 2.0 * nearest_mm, depth_mm)
+                               : vec4(across, 2.0 * depth_mm / farthest_mm - 1.0, 1.0);
+}
