@@ -1,12 +1,20 @@
 #include "volume/loaded_volume.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace cutaway {
 
 namespace {
 
-constexpr int kBrickSize = 8;
+/// Small bricks follow a surface more closely, but their maps are computed anew for each iso-value:
+/// as many for a large volume as for a small one.
+int brick_size(glm::ivec3 size_voxels) {
+  constexpr int kMostBricksAlongEdge = 80;
+  const int longest = std::max({size_voxels.x, size_voxels.y, size_voxels.z});
+  return longest <= 4 * kMostBricksAlongEdge ? 4 : 8;
+}
+
 constexpr int kHistogramBins = 1024;
 constexpr double kMinMaxShare = 0.8;  ///< of the stage's progress; the histogram is the rest
 
@@ -20,7 +28,8 @@ std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume,
   };
   auto loaded = std::make_shared<LoadedVolume>();
   loaded->volume = std::move(volume);
-  loaded->min_max = build_min_max_grid(loaded->volume, kBrickSize, share, stop);
+  loaded->min_max = build_min_max_grid(
+      loaded->volume, brick_size(loaded->volume.geometry.size_voxels), share, stop);
   loaded->histogram = build_histogram(loaded->volume, kHistogramBins);
   throw_if_cancelled(stop);
   loaded->surfaces = suggest_surfaces(loaded->volume.description, loaded->histogram);
