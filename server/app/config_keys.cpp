@@ -117,6 +117,8 @@ std::vector<ConfigKey> session_keys() {
        NumberKey{1, 1e6, [](Config& c, double v) { c.session.messages_per_second = v; }}},
       {"session", "message_burst",
        NumberKey{1, 1e6, [](Config& c, double v) { c.session.message_burst = v; }}},
+      {"session", "lens_search_messages",
+       NumberKey{0, 1e6, [](Config& c, double v) { c.session.lens_search_messages = v; }}},
   };
 }
 

@@ -56,6 +56,7 @@ class Session {
   };
 
   Reception refuse_too_fast();
+  void pay_for_lens_searches();
   void handle(const SceneMessage& message);
   void handle(const ViewportMessage& message);
   void handle(const DragLensMessage& message);

@@ -196,46 +196,6 @@ TEST_F(SessionBadInputTest, ARendererThatFailsIsReportedAndTheSessionGoesOn) {
   expect_unharmed();
 }
 
-class SessionRateTest : public testing::SessionFixture {
- protected:
-  SessionRateTest() {
-    settings.messages_per_second = 10.0;
-    settings.message_burst = 20.0;
-    restart();
-    show_ball();
-    strand->advance(Milliseconds(10'000.0));
-  }
-};
-
-TEST_F(SessionRateTest, TooManyMessagesAreRefusedWithOneErrorASecond) {
-  for (int i = 0; i < 1000; ++i) scene({{"lens", {{"radius_mm", i}}}});
-  ASSERT_EQ(client.of_type("error").size(), 1);
-  expect_error("rate-limited");
-  EXPECT_EQ(client.last("error")["expected"], "10 a second");
-  EXPECT_EQ(session->receive_text("{}"), Session::Reception::too_fast);
-  EXPECT_EQ(session->receive_text(std::string(10'000, ' ')), Session::Reception::too_fast);
-  EXPECT_EQ(session->receive_binary(), Session::Reception::too_fast);
-}
-
-TEST_F(SessionRateTest, AcknowledgementsAlwaysCount) {
-  scene({{"lens", {{"radius_mm", 1.0}}}});
-  for (int i = 0; i < 100; ++i) receive({{"type", "cancel_load"}});
-  settle();
-  EXPECT_FALSE(client.frames.empty());
-  strand->advance(Milliseconds(300.0));
-  EXPECT_FALSE(frames.idle()) << "the still frame found a credit";
-}
-
-TEST_F(SessionRateTest, TheRateRecovers) {
-  for (int i = 0; i < 100; ++i) scene({{"lens", {{"radius_mm", i}}}});
-  strand->advance(Milliseconds(1000.0));
-  come_to_rest();
-  client.texts.clear();
-  scene({{"lens", {{"radius_mm", 77.0}}}});
-  EXPECT_EQ(rendered().lens.radius_mm, 77.0);
-  EXPECT_TRUE(client.of_type("error").empty());
-}
-
 TEST_F(SessionBadInputTest, AMessageThatIsTooLargeIsRefusedWithItsLimit) {
   show_ball();
   session->receive_too_large(70'000, 65'536);
