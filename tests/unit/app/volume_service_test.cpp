@@ -223,6 +223,17 @@ TEST(VolumeService, UnknownVolumesAreRefused) {
   }
 }
 
+TEST(VolumeService, AskingForWhatThereIsNotLeavesTheLogAlone) {
+  ::testing::internal::CaptureStderr();
+  VolumeService service{VolumeSettings{}, no_renderer()};
+  for (const char* id : {"nowhere\nat all", "phantom:unicorn", "phantom:head@9999"}) {
+    Heard heard;
+    const auto ticket = service.open(id, heard.progress(), heard.done());
+    heard.outcome();
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 // 64^3 voxels are announced as floats, 1 MiB, and stored as half of that.
 TEST(VolumeService, KeepsAsManyAsFitAndDropsTheLeastRecentlyUsed) {
   VolumeService service{VolumeSettings{.memory_bytes = 2'000'000}, no_renderer()};
