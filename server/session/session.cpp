@@ -74,7 +74,7 @@ Session::Reception Session::receive_text(std::string_view text) {
   const bool too_fast = !message_rate_.take(ends_.strand->now());
   if (too_fast && text.size() > kSmallMessageBytes) return refuse_too_fast();
   try {
-    const ClientMessage message = parse_client_message(text);
+    const ClientMessage message = parse_client_message(text, settings_.viewport_side_px);
     if (too_fast && !std::holds_alternative<AckMessage>(message)) return refuse_too_fast();
     std::visit([this](const auto& each) { handle(each); }, message);
   } catch (const Error& error) {

@@ -75,7 +75,7 @@ class Session {
   void took_effect(SceneState::Change change, InputStamp stamp);
 
   const Scene& shown_scene() const;
-  void check_size(int width_px, int height_px) const;
+  void check_pixels(int width_px, int height_px) const;
   void tell_scene();
   void tell_scene_soon();
   void tell_volumes();

@@ -139,11 +139,37 @@ TEST_F(SessionBadInputTest, ACameraInsideTheBoneIsNoError) {
 
 TEST_F(SessionBadInputTest, AViewportOf100000Squared) {
   const std::uint32_t bad = viewport(100'000, 100'000);
-  expect_error("out-of-range", "/height_px");
-  EXPECT_EQ(error()["input"], bad);
-  viewport(0, 10);
   expect_error("out-of-range", "/width_px");
+  EXPECT_EQ(error()["input"], bad);
+  EXPECT_EQ(error()["expected"], "1 to 4096 px");
+  EXPECT_EQ(error()["received"], "100000");
   expect_unharmed();
+}
+
+TEST_F(SessionBadInputTest, ASideOutOfRangeIsAnsweredWithTheSessionsOwnLimit) {
+  settings.viewport_side_px = 1000;
+  restart();
+  show_ball();
+  for (const std::int64_t side : {0L, -1L, 1001L, 100'000L, 5'000'000'000L}) {
+    receive({{"type", "viewport"},
+             {"input", 1},
+             {"clock_ms", 1},
+             {"width_px", side},
+             {"height_px", 5}});
+    expect_error("out-of-range", "/width_px");
+    EXPECT_EQ(error()["expected"], "1 to 1000 px");
+    receive({{"type", "save_still"}, {"request", 3}, {"width_px", 5}, {"height_px", side}});
+    expect_error("out-of-range", "/height_px");
+    EXPECT_EQ(error()["expected"], "1 to 1000 px");
+    EXPECT_EQ(error()["received"], std::to_string(side));
+  }
+  receive({{"type", "preview"},
+           {"request", 1},
+           {"style", "toon"},
+           {"width_px", 600},
+           {"height_px", 5}});
+  expect_error("out-of-range", "/width_px");
+  EXPECT_EQ(error()["expected"], "an integer from 1 to 512 px");
 }
 
 TEST_F(SessionBadInputTest, AViewportOverTheConfiguredLimits) {
