@@ -410,6 +410,19 @@ TEST(VolumeService, WhoWaitsForTheScanHoldsUpNobody) {
   for (Heard& each : waiting) EXPECT_EQ(each.outcomes(), 0);
 }
 
+TEST(VolumeService, SaysWhetherItStillLooksForVolumes) {
+  EXPECT_EQ((VolumeService{VolumeSettings{}, no_renderer()}.listing()["scanning"]), false);
+  const Folder folder("scanning");
+  VolumeService service{
+      VolumeSettings{.data = {folder.path()}, .reader = slow_reader(folder, "0.3")}, no_renderer()};
+  EXPECT_EQ(service.listing()["scanning"], true);
+  validate(service.listing(), "volumes");
+  Heard heard;
+  const auto ticket = service.open("file", heard.progress(), heard.done());
+  heard.outcome();  // at the scan's end
+  EXPECT_EQ(service.listing()["scanning"], false);
+}
+
 TEST(VolumeService, WhoWaitsForTheScanIsAnsweredAtItsEnd) {
   const Folder folder("end-of-scan");
   VolumeService service{
