@@ -27,6 +27,7 @@ struct NetSettings {
   /// requests may be sent, such as that of a proxy's page.
   std::vector<std::string> allowed_origins;
   std::filesystem::path web_root;  ///< the built web client; empty for none
+  bool operator==(const NetSettings&) const = default;
 };
 
 }  // namespace cutaway

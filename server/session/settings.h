@@ -21,6 +21,7 @@ struct SessionSettings {
   /// Messages that looking for a lens' place counts for: the others wait for as long as it takes,
   /// some 50 ms for a large CT.
   double lens_search_messages = 200.0;
+  bool operator==(const SessionSettings&) const = default;
 };
 
 }  // namespace cutaway
