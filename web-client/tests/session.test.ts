@@ -74,7 +74,7 @@ describe('a server that still looks for volumes', () => {
     expect(harness.state.awaits_volume).toBe(false);
   });
 
-  it('has the first volume of a file opened as soon as that is there, and no second one', async () => {
+  it('has the first volume of a file opened as soon as that is there, once', async () => {
     await awaited();
     const found = { ...volumes, volumes: [file, ...volumes.volumes] };
     harness.say({ ...found, scanning: true });

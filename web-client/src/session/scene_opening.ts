@@ -1,5 +1,5 @@
 // Which scene a session begins with: the one it showed before, else the address', else the first
-// volume in the first style. That first one is a file's where the server has files: it waits for their
+// volume in the first style. That is a file's where the server has files, so it waits for their
 // scan.
 import type { ErrorMessage, Scene } from '../protocol/messages.ts';
 import { SceneAddressError, sceneFromAddress } from '../state/scene_address.ts';
