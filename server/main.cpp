@@ -4,10 +4,8 @@
 #include <exception>
 
 #include "app/commands.h"
-#include "core/log.h"
 
 int main(int argc, char** argv) {
-  cutaway::log().set_pattern("%H:%M:%S.%e %^%l%$ %v");
   CLI::App app(
       "Renders medical volumes as focus and context illustrations. Not for diagnostic use.",
       "cutaway");

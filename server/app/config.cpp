@@ -194,7 +194,7 @@ std::vector<std::string> ConfigFile::texts(const toml::node& node) const {
 }
 
 fs::path ConfigFile::from_here(const std::string& path) const {
-  return fs::absolute(file_).parent_path() / path;
+  return path.empty() ? fs::path() : fs::absolute(file_).parent_path() / path;
 }
 
 std::string ConfigFile::where(const toml::source_region& source) const {

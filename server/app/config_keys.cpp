@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/error.h"
+#include "scene/client_message.h"
 
 namespace cutaway {
 
@@ -108,15 +109,17 @@ std::vector<ConfigKey> session_keys() {
            1, kTera, [](Config & c) -> auto& { return c.session.still_rays; })},
       {"session", "viewport_side_px",
        integer(
-           1, 8192, [](Config & c) -> auto& { return c.session.viewport_side_px; })},
+           1, kLargestSide_px, [](Config & c) -> auto& { return c.session.viewport_side_px; })},
       {"session", "viewport_pixels",
        integer(
-           1, std::int64_t{8192} * 8192,
+           1, std::int64_t{kLargestSide_px} * kLargestSide_px,
            [](Config & c) -> auto& { return c.session.viewport_pixels; })},
       {"session", "messages_per_second",
        NumberKey{1, 1e6, [](Config& c, double v) { c.session.messages_per_second = v; }}},
       {"session", "message_burst",
        NumberKey{1, 1e6, [](Config& c, double v) { c.session.message_burst = v; }}},
+      {"session", "lens_search_messages",
+       NumberKey{0, 1e6, [](Config& c, double v) { c.session.lens_search_messages = v; }}},
   };
 }
 

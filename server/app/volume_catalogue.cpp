@@ -60,7 +60,8 @@ Json VolumeCatalogue::listing() const {
   Json volumes = Json::array();
   for (const CatalogueEntry& entry : files_) volumes.push_back(entry_json(entry));
   for (const CatalogueEntry& entry : phantoms_) volumes.push_back(entry_json(entry));
-  return {{"volumes", std::move(volumes)}, {"refused", refused_}};
+  return {
+      {"volumes", std::move(volumes)}, {"refused", refused_}, {"scanning", folders_to_scan_ > 0}};
 }
 
 std::optional<CatalogueEntry> VolumeCatalogue::find(const std::string& id) const {

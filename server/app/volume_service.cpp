@@ -47,6 +47,14 @@ std::uint64_t expected_bytes(const VolumeGeometry& geometry) {
   return size.x * size.y * size.z * sizeof(float);
 }
 
+// A client may ask for what there is not: that is no trouble of the server's. A file that cannot be
+// read is.
+spdlog::level::level_enum level_of(const Error& error) {
+  const std::string& code = error.detail().code;
+  const bool asked_in_vain = code == "unknown-volume" || code == "out-of-range";
+  return asked_in_vain ? spdlog::level::debug : spdlog::level::warn;
+}
+
 }  // namespace
 
 /// Holds the job for as long as someone waits for it.
@@ -129,7 +137,7 @@ void VolumeService::load(const std::shared_ptr<LoadJob>& job) {
   } catch (const Cancelled&) {
     finish(*job, Cancelled());
   } catch (const Error& error) {
-    log().warn("{} was not opened: {}", id, error.what());
+    log().log(level_of(error), "{} was not opened: {}", id, error.what());
     finish(*job, error_for_client(error, id));
   } catch (const std::bad_alloc&) {
     finish(*job, Error({.code = "too-large",

@@ -5,7 +5,8 @@
 
 namespace cutaway {
 
-/// Thread-safe. Level and format are set once by `main`.
+/// Thread-safe. Control characters in a message are escaped (printable.h), so that an event stays
+/// one line whoever's words it repeats. Its level is set once by `run_serve`.
 spdlog::logger& log();
 
 }  // namespace cutaway

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/log.h"
+#include "net/host_check.h"
 #include "net/upgrade.h"
 
 namespace cutaway {
@@ -40,6 +41,13 @@ std::optional<HttpResponse> refusal_of(const error_code& error) {
                                 "The request's body is longer than 4 KiB.");
   }
   return HttpAnswers::refusal(http::status::bad_request, "This is no HTTP request.");
+}
+
+HttpResponse misdirected() {
+  return HttpAnswers::refusal(http::status::misdirected_request,
+                              "This server listens on a loopback address and answers only to "
+                              "localhost, 127.0.0.1, [::1] and the hosts of the configuration's "
+                              "allowed_origins.");
 }
 
 }  // namespace
@@ -76,6 +84,11 @@ asio::awaitable<bool> HttpConnection::serve_request() {
     co_return false;
   }
   HttpRequest request = parser.release();
+  const boost::beast::string_view host = request[http::field::host];
+  if (!host_allowed({host.data(), host.size()}, context_.settings)) {
+    co_await respond(misdirected());
+    co_return false;
+  }
   if (!is_web_socket_request(request)) {
     HttpResponse response = context_.answers.answer(request);
     const bool more = co_await respond(std::move(response));

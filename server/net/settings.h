@@ -23,8 +23,11 @@ struct NetSettings {
   std::chrono::milliseconds idle_timeout{30'000};     ///< WebSocket: without a word or a pong
   std::chrono::milliseconds write_timeout{20'000};    ///< one message into the client's hands
   std::chrono::milliseconds stop_timeout{2'000};      ///< for closing handshakes at the end
-  std::vector<std::string> allowed_origins;  ///< "https://host:port", beside the server's own
-  std::filesystem::path web_root;            ///< the built web client; empty for none
+  /// "https://host:port", beside the server's own. On a loopback address also the hosts to which
+  /// requests may be sent, such as that of a proxy's page.
+  std::vector<std::string> allowed_origins;
+  std::filesystem::path web_root;  ///< the built web client; empty for none
+  bool operator==(const NetSettings&) const = default;
 };
 
 }  // namespace cutaway

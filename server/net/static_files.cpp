@@ -1,5 +1,7 @@
 #include "net/static_files.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -60,6 +60,8 @@ struct RenderLimits {
   /// costs four); 0: what about 20 ms are on two cores, on a GPU any frame as a whole.
   std::int64_t step = 0;
 
+  bool operator==(const RenderLimits&) const = default;
+
   std::int64_t step_cost(bool is_software) const {
     if (step > 0) return step;
     return is_software ? std::int64_t{1} << 19 : std::int64_t{1} << 27;

@@ -61,6 +61,27 @@ const std::map<std::string, Reading, std::less<>>& readings() {
   return all;
 }
 
+bool sizes_a_picture(const Json& message) {
+  if (!message.is_object() || !message.contains("type")) return false;
+  const Json& type = message.at("type");
+  return type == "viewport" || type == "save_still";
+}
+
+/// Before the schema, which knows the largest limit that a server may have, not this one's.
+void check_sides(const Json& message, int largest_px) {
+  if (!sizes_a_picture(message)) return;
+  for (const char* side : {"width_px", "height_px"}) {
+    const auto px = message.find(side);
+    if (px == message.end() || !px->is_number_integer()) continue;
+    if (*px >= 1 && *px <= largest_px) continue;
+    throw Error({.code = "out-of-range",
+                 .message = "the picture cannot have this size",
+                 .field = pointer_to("", side),
+                 .expected = "1 to " + std::to_string(largest_px) + " px",
+                 .received = json_text(*px)});
+  }
+}
+
 std::optional<std::uint32_t> counter(const Json& message, const char* key) {
   if (!message.is_object()) return {};
   const auto field = message.find(key);
@@ -72,8 +93,9 @@ std::optional<std::uint32_t> counter(const Json& message, const char* key) {
 
 }  // namespace
 
-ClientMessage parse_client_message(std::string_view text) {
+ClientMessage parse_client_message(std::string_view text, int largest_side_px) {
   const Json message = parse_json(text);
+  check_sides(message, largest_side_px);
   validate(message, "client-message");
   const auto& type = message.at("type").get_ref<const std::string&>();
   return readings().at(type)(with_defaults(message, "client-message"));

@@ -63,9 +63,13 @@ struct PreviewMessage {
 using ClientMessage = std::variant<SceneMessage, ViewportMessage, DragLensMessage, PickMessage,
                                    CancelLoadMessage, AckMessage, SaveStillMessage, PreviewMessage>;
 
+/// The largest side (px) that the schema allows; a server may be set to take less.
+inline constexpr int kLargestSide_px = 8192;
+
 /// Throws Error: malformed-json, not-finite, unknown-message, unknown-field, missing-field,
-/// wrong-type, out-of-range.
-ClientMessage parse_client_message(std::string_view text);
+/// wrong-type, out-of-range. A side of a viewport or a saved still over `largest_side_px` is
+/// refused with that limit, not with the schema's.
+ClientMessage parse_client_message(std::string_view text, int largest_side_px = kLargestSide_px);
 
 /// The error for a binary message from a client.
 Error binary_message_error();

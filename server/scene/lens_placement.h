@@ -12,6 +12,7 @@ struct LensPlacementView {
   Viewport viewport;
   ValueBand context;
   ValueBand focus;
+  bool operator==(const LensPlacementView&) const = default;
 };
 
 /// Patient space, mm.

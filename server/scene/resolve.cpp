@@ -99,7 +99,8 @@ Branch resolve_branch(const Json& document, double chosen_iso_value, const std::
   return branch;
 }
 
-Lens resolve_lens(const Json& document, const VolumeFacts& volume, const Scene& scene) {
+Lens resolve_lens(const Json& document, const VolumeFacts& volume, const Scene& scene,
+                  LensMemory& lenses) {
   Lens lens;
   lens.mode = document.at("mode").get<LensMode>();
   lens.shape = module_from(document.at("shape"));
@@ -112,7 +113,7 @@ Lens resolve_lens(const Json& document, const VolumeFacts& volume, const Scene& 
   if (document.contains("radius_mm") && document.contains("centre_mm")) return lens;
   const LensPlacementView view{scene.camera, scene.viewport, scene.context.surface.band,
                                scene.focus.surface.band};
-  const PlacedLens chosen = chosen_lens(
+  const PlacedLens chosen = lenses.lens(
       volume, view, document.contains("radius_mm") ? std::optional(lens.radius_mm) : std::nullopt);
   if (!document.contains("radius_mm")) lens.radius_mm = chosen.radius_mm;
   if (!document.contains("centre_mm")) lens.centre_mm = chosen.centre_mm;
@@ -132,6 +133,12 @@ Light resolve_light(const Json& document) {
 void validate_scene_document(const Json& document) { validate(document, "scene"); }
 
 Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport viewport) {
+  LensMemory lenses;
+  return resolve_scene(document, volume, viewport, lenses);
+}
+
+Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport viewport,
+                    LensMemory& lenses) {
   validate_scene_document(document);
   const Json complete = with_defaults(without_aliases(document), "scene");
   Scene scene;
@@ -140,9 +147,9 @@ Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport vi
   scene.camera = resolve_camera(complete.at("camera"), volume, viewport);
   scene.focus = resolve_branch(complete.at("focus"), volume.inner_iso_value, "focus");
   scene.context = resolve_branch(complete.at("context"), volume.outer_iso_value, "context");
-  scene.lens = resolve_lens(complete.at("lens"), volume, scene);
   scene.light = resolve_light(complete.at("light"));
   scene.background.colour = vector_from(complete.at("background").at("colour"));
+  scene.lens = resolve_lens(complete.at("lens"), volume, scene, lenses);  // last: it may look long
   return scene;
 }
 

@@ -7,9 +7,10 @@
 // next resolve. Before another volume is shown, without_volume_choices() opens what was chosen for
 // the old one.
 //
-// All functions are thread-safe.
+// All functions are thread-safe, each memory on one thread at a time.
 #pragma once
 
+#include "scene/lens_memory.h"
 #include "scene/scene.h"
 #include "scene/volume_facts.h"
 
@@ -34,6 +35,9 @@ Json without_volume_choices(Json document);
 /// The document's own "viewport" is ignored. Throws Error where the whole makes no sense (eye equal
 /// to target, up parallel to the view).
 Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport viewport);
+/// The same; a lens that the document leaves open comes from the memory where that knows it.
+Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport viewport,
+                    LensMemory& lenses);
 
 /// The complete document of a resolved scene: resolve_scene of it gives the same scene again.
 Json scene_document(const Scene& scene);

@@ -34,7 +34,7 @@ struct ServerDescription {
 /// With the modules of the schemas and the styles that the program carries.
 Json capabilities_message(const ServerDescription& description);
 
-/// `listing` is {"volumes": [...], "refused": [...]}.
+/// `listing` is {"volumes": [...], "refused": [...], "scanning": false}.
 Json volumes_message(const Json& listing);
 
 enum class LoadEnd { ready, cancelled, failed };

@@ -1,5 +1,7 @@
 #include "session/frame_flow.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -14,11 +16,11 @@ bool at_or_before(std::uint32_t a, std::uint32_t b) {
   return static_cast<std::int32_t>(a - b) <= 0;
 }
 
-Error never_sent(std::uint32_t frame, std::uint32_t last) {
+Error not_awaited(std::uint32_t frame, const std::string& awaited) {
   return Error({.code = "out-of-range",
-                .message = "a frame that was never sent was acknowledged",
+                .message = "no acknowledgement of this frame is awaited",
                 .field = "/frame",
-                .expected = last == 0 ? "none yet" : "at most " + std::to_string(last),
+                .expected = awaited,
                 .received = std::to_string(frame)});
 }
 
@@ -47,7 +49,8 @@ void FrameFlow::show(SceneSnapshot snapshot) {
 }
 
 void FrameFlow::acknowledge(std::uint32_t frame) {
-  if (!at_or_before(frame, last_number_)) throw never_sent(frame, last_number_);
+  check_awaited(frame);
+  acknowledged_ = frame;
   while (!sent_.empty() && at_or_before(sent_.front().number, frame)) {
     const Sent sent = sent_.front();
     if (sent.number == frame) measure(sent);
@@ -55,6 +58,15 @@ void FrameFlow::acknowledge(std::uint32_t frame) {
     credits_.give_back();
   }
   pump();
+}
+
+// Saying the last one again does no harm; anything else is a client that counts wrongly.
+void FrameFlow::check_awaited(std::uint32_t frame) const {
+  if (acknowledged_ == frame) return;
+  if (sent_.empty()) throw not_awaited(frame, "none before another frame is sent");
+  const std::uint32_t first = sent_.front().number;
+  if (frame - first <= last_number_ - first) return;  // numbers wrap around
+  throw not_awaited(frame, fmt::format("{} to {}", first, last_number_));
 }
 
 void FrameFlow::measure(const Sent& sent) {

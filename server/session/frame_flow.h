@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "session/credits.h"
 #include "session/ends.h"
@@ -36,8 +37,8 @@ class FrameFlow {
   void show(SceneSnapshot snapshot);
   /// The newest scene has taken up another input that changed nothing in it.
   void restamp(InputStamp stamp) { newest_.stamp = stamp; }
-  /// Returns the credits of this frame and those before it. Throws Error for a frame that was never
-  /// sent.
+  /// Returns the credits of this frame and those before it. Throws Error for a frame that is
+  /// neither among those sent and not yet acknowledged nor the last acknowledged.
   void acknowledge(std::uint32_t frame);
 
  private:
@@ -63,6 +64,7 @@ class FrameFlow {
   void send(const SceneSnapshot& shown, Frame frame);
   void written(std::uint32_t number, bool sent);
   void fail(const SceneSnapshot& shown, const Error& error);
+  void check_awaited(std::uint32_t frame) const;
   void measure(const Sent& sent);
   std::size_t bytes_in_flight() const;
 
@@ -79,6 +81,7 @@ class FrameFlow {
   std::deque<Sent> sent_;
   std::uint64_t last_id_ = 0;
   std::uint32_t last_number_ = 0;
+  std::optional<std::uint32_t> acknowledged_;
   std::unique_ptr<Alarm> alarm_;
   Tether tether_;
 };

@@ -8,8 +8,8 @@
 
 namespace cutaway {
 
-/// The refined picture of a scene at rest.
-/// For a picture of that size.
+/// Of the refined picture of a scene at rest: with as many rays a pixel as the settings allow for a
+/// viewport of that size.
 FrameQuality still_quality(const SessionSettings& settings, Viewport viewport);
 
 /// Render time governs resolution. The link governs JPEG quality, then the frame rate, and

@@ -50,9 +50,11 @@ SceneState::Change SceneState::commit(Json document, Viewport viewport,
                                       std::shared_ptr<const OpenVolume> volume) {
   Change change;
   if (volume && viewport == Viewport{}) {
-    resolve_scene(document, volume->facts(), kAnyViewport);  // throws now what it would throw later
+    // Throws now what it would throw later.
+    resolve_scene(document, volume->facts(), kAnyViewport, lenses_);
   } else if (volume) {
-    auto scene = std::make_shared<const Scene>(resolve_scene(document, volume->facts(), viewport));
+    auto scene =
+        std::make_shared<const Scene>(resolve_scene(document, volume->facts(), viewport, lenses_));
     Json complete = scene_document(*scene);
     change.picture = !scene_ || *scene != *scene_ || volume != volume_;
     change.chosen = says_more(without_viewport(complete), document);

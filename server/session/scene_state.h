@@ -29,6 +29,9 @@ class SceneState {
   /// Nothing until there are a volume and a viewport.
   const std::shared_ptr<const Scene>& scene() const { return scene_; }
   std::uint32_t revision() const { return revision_; }
+  /// How often a lens' place was looked for since this was asked last, for changes that were
+  /// refused, too.
+  int take_lens_searches() { return lenses_.take_searches(); }
 
   Change set_document(const Json& document);
   Change set_viewport(Viewport viewport);
@@ -42,6 +45,7 @@ class SceneState {
   std::shared_ptr<const OpenVolume> volume_;
   std::shared_ptr<const Scene> scene_;
   std::uint32_t revision_ = 0;
+  LensMemory lenses_;
 };
 
 /// The id that a document asks for; nothing where it leaves the volume open.

@@ -1,5 +1,7 @@
 #include "session/session.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "core/log.h"
@@ -72,7 +74,7 @@ Session::Reception Session::receive_text(std::string_view text) {
   const bool too_fast = !message_rate_.take(ends_.strand->now());
   if (too_fast && text.size() > kSmallMessageBytes) return refuse_too_fast();
   try {
-    const ClientMessage message = parse_client_message(text);
+    const ClientMessage message = parse_client_message(text, settings_.viewport_side_px);
     if (too_fast && !std::holds_alternative<AckMessage>(message)) return refuse_too_fast();
     std::visit([this](const auto& each) { handle(each); }, message);
   } catch (const Error& error) {
@@ -83,7 +85,15 @@ Session::Reception Session::receive_text(std::string_view text) {
     refuse(Error({.code = "internal", .message = "the server failed at this message"}),
            echo_of(text));
   }
+  pay_for_lens_searches();
   return Reception::taken;
+}
+
+// Paid for afterwards, since only then it is known whether the memory had the answer.
+void Session::pay_for_lens_searches() {
+  const int searches = state_.take_lens_searches();
+  if (searches == 0) return;
+  message_rate_.charge(ends_.strand->now(), searches * settings_.lens_search_messages);
 }
 
 Session::Reception Session::refuse_too_fast() {

@@ -56,6 +56,7 @@ class Session {
   };
 
   Reception refuse_too_fast();
+  void pay_for_lens_searches();
   void handle(const SceneMessage& message);
   void handle(const ViewportMessage& message);
   void handle(const DragLensMessage& message);
@@ -74,7 +75,7 @@ class Session {
   void took_effect(SceneState::Change change, InputStamp stamp);
 
   const Scene& shown_scene() const;
-  void check_size(int width_px, int height_px) const;
+  void check_pixels(int width_px, int height_px) const;
   void tell_scene();
   void tell_scene_soon();
   void tell_volumes();

@@ -17,14 +17,6 @@ Error no_volume() {
                 .expected = "an open volume and a viewport first"});
 }
 
-Error too_wide(const char* field, int most, int received) {
-  return Error({.code = "out-of-range",
-                .message = "the picture is too large",
-                .field = field,
-                .expected = fmt::format("1 to {} px", most),
-                .received = std::to_string(received)});
-}
-
 }  // namespace
 
 void Session::handle(const SceneMessage& message) {
@@ -59,7 +51,7 @@ void Session::change_shown(const SceneMessage& message) {
 }
 
 void Session::handle(const ViewportMessage& message) {
-  check_size(message.width_px, message.height_px);
+  check_pixels(message.width_px, message.height_px);
   took_effect(state_.set_viewport({message.width_px, message.height_px}), message.stamp);
 }
 
@@ -90,7 +82,7 @@ void Session::handle(const CancelLoadMessage&) { stop_opening(); }
 void Session::handle(const AckMessage& message) { flow_.acknowledge(message.frame); }
 
 void Session::handle(const SaveStillMessage& message) {
-  check_size(message.width_px, message.height_px);
+  check_pixels(message.width_px, message.height_px);
   shown_scene();
   const Viewport size{message.width_px, message.height_px};
   stills_.save({message.request, size}, snapshot(), still_quality(settings_, size));
@@ -106,10 +98,7 @@ const Scene& Session::shown_scene() const {
   return *state_.scene();
 }
 
-void Session::check_size(int width_px, int height_px) const {
-  const int most = settings_.viewport_side_px;
-  if (width_px > most) throw too_wide("/width_px", most, width_px);
-  if (height_px > most) throw too_wide("/height_px", most, height_px);
+void Session::check_pixels(int width_px, int height_px) const {
   const std::int64_t pixels = std::int64_t{width_px} * height_px;
   if (pixels <= settings_.viewport_pixels) return;
   throw Error(

@@ -31,6 +31,7 @@ void Session::opened(OpenOutcome outcome) {
   } else {
     tell(loading_message(pending.volume, LoadEnd::cancelled));
   }
+  pay_for_lens_searches();
 }
 
 void Session::opening_failed(const Error& error, const Pending& pending) {

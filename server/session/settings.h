@@ -18,6 +18,10 @@ struct SessionSettings {
   std::int64_t viewport_pixels = std::int64_t{4096} * 2304;
   double messages_per_second = 300.0;
   double message_burst = 600.0;
+  /// Messages that looking for a lens' place counts for: the others wait for as long as it takes,
+  /// some 50 ms for a large CT.
+  double lens_search_messages = 200.0;
+  bool operator==(const SessionSettings&) const = default;
 };
 
 }  // namespace cutaway

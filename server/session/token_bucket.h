@@ -14,15 +14,25 @@ class TokenBucket {
 
   /// False where the rate is exceeded.
   bool take(TimePoint now) {
-    const double seconds = std::chrono::duration<double>(now - filled_at_).count();
-    tokens_ = std::min(burst_, tokens_ + (seconds * per_second_));
-    filled_at_ = now;
+    fill(now);
     if (tokens_ < 1.0) return false;
     tokens_ -= 1.0;
     return true;
   }
 
+  /// Takes what there may not be: until the debt is paid, `take` answers false.
+  void charge(TimePoint now, double tokens) {
+    fill(now);
+    tokens_ -= tokens;
+  }
+
  private:
+  void fill(TimePoint now) {
+    const double seconds = std::chrono::duration<double>(now - filled_at_).count();
+    tokens_ = std::min(burst_, tokens_ + (seconds * per_second_));
+    filled_at_ = now;
+  }
+
   double per_second_;
   double burst_;
   double tokens_;

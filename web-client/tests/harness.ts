@@ -1,11 +1,16 @@
 // A whole session without a server: what it sends is kept, what it is told comes from the test.
 import { expect, vi } from 'vitest';
-import type { ClientMessage, ServerMessage, SceneMessage } from '../src/protocol/messages.ts';
+import type {
+  ClientMessage,
+  ServerMessage,
+  SceneMessage,
+  VolumesMessage,
+} from '../src/protocol/messages.ts';
 import { ViewerSession } from '../src/session/viewer_session.ts';
 import type { FromWorker, ShownFrame } from '../src/stream/worker_messages.ts';
 import { capabilities } from './capabilities.ts';
 
-export const volumes: ServerMessage = {
+export const volumes: VolumesMessage = {
   type: 'volumes',
   volumes: [
     { id: 'head', title: 'Head', format: 'phantom', modality: 'CT' },

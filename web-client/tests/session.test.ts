@@ -51,6 +51,53 @@ describe('the beginning', () => {
   });
 });
 
+describe('a server that still looks for volumes', () => {
+  const file = { id: 'chest', title: 'Chest', format: 'DICOM', modality: 'CT' };
+  const opened = () => harness.scenes().map(({ scene }) => scene['volume']);
+
+  beforeEach(() => {
+    harness = new Harness();
+    harness.emit({ kind: 'link', state: { phase: 'connected' } });
+    harness.say(capabilities);
+    harness.say({ ...volumes, scanning: true });
+  });
+  const awaited = () =>
+    vi.waitFor(() => {
+      expect(harness.state.awaits_volume).toBe(true);
+    });
+
+  it('has no phantom opened before the scan has ended', async () => {
+    await awaited();
+    expect(opened()).toEqual([]);
+    harness.say({ ...volumes, scanning: false });
+    expect(opened()).toEqual(['head']);
+    expect(harness.state.awaits_volume).toBe(false);
+  });
+
+  it('has the first volume of a file opened as soon as that is there, once', async () => {
+    await awaited();
+    const found = { ...volumes, volumes: [file, ...volumes.volumes] };
+    harness.say({ ...found, scanning: true });
+    harness.say({ ...found, scanning: false });
+    expect(opened()).toEqual(['chest']);
+  });
+
+  it('has nothing else opened than what the user has chosen meanwhile', async () => {
+    await awaited();
+    harness.session.commands.openVolume('knee');
+    harness.say({ ...volumes, scanning: false });
+    expect(opened()).toEqual(['knee']);
+  });
+
+  it('gets what the address says at once', async () => {
+    harness = new Harness(await sceneToAddress({ volume: 'not found yet' }));
+    harness.emit({ kind: 'link', state: { phase: 'connected' } });
+    harness.say(capabilities);
+    harness.say({ ...volumes, scanning: true });
+    await vi.waitFor(() => expect(opened()).toEqual(['not found yet']));
+  });
+});
+
 describe('input', () => {
   beforeEach(() => {
     harness.say(sceneMessage);

@@ -1,29 +1,16 @@
 // The page with mouse and keyboard at 1440x900.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, beforeEach, describe, it } from 'node:test';
-import { DESKTOP, openBrowser, skip } from './support/browser.mjs';
-import { Server } from './support/server.mjs';
+import { describe, it } from 'node:test';
+import { DESKTOP, skip } from './support/browser.mjs';
+import { served, servedPage } from './support/suite.mjs';
 import { meanDifference, Viewer } from './support/viewer.mjs';
 
 const VISIBLE_CHANGE = 0.5;
 const SAME_PICTURE = 0.5;
 
 describe('the page on a desktop', { skip }, () => {
-  let server, browser, viewer;
-
-  before(async () => {
-    server = await Server.start();
-    browser = await openBrowser();
-  });
-  after(async () => {
-    await browser?.close();
-    await server?.kill();
-  });
-  beforeEach(async () => {
-    viewer = await Viewer.open(browser, server.url, DESKTOP);
-    await viewer.settled();
-  });
-  afterEach(() => viewer.close());
+  let viewer;
+  const suite = servedPage(DESKTOP, (page) => (viewer = page));
 
   it('shows a first picture from the front, and says what it is', async () => {
     const coverage = await viewer.coverage();
@@ -198,7 +185,7 @@ describe('the page on a desktop', { skip }, () => {
     await viewer.page.locator('[data-style=toon][aria-pressed=true]').waitFor();
     assert.equal(await viewer.edgeLetters(), letters);
     assert.ok(meanDifference(picture, await viewer.pixels()) < SAME_PICTURE);
-    const other = await Viewer.open(browser, viewer.page.url(), DESKTOP);
+    const other = await Viewer.open(suite.browser, viewer.page.url(), DESKTOP);
     await other.settled();
     assert.ok(meanDifference(picture, await other.pixels()) < SAME_PICTURE);
     await other.close();
@@ -212,20 +199,11 @@ describe('the page on a desktop', { skip }, () => {
 });
 
 describe('a link that cannot be opened', { skip }, () => {
-  let server, browser;
-
-  before(async () => {
-    server = await Server.start();
-    browser = await openBrowser();
-  });
-  after(async () => {
-    await browser?.close();
-    await server?.kill();
-  });
+  const suite = served();
 
   for (const hash of ['#1.broken', '#0.old', '#1.q1YqS8xRsqpWSswrVrJSMjZV0lEqLi0oKMovAwA']) {
     it(`leads to a message and a working page: ${hash}`, async () => {
-      const viewer = await Viewer.open(browser, `${server.url}${hash}`, DESKTOP);
+      const viewer = await Viewer.open(suite.browser, `${suite.server.url}${hash}`, DESKTOP);
       await viewer.page
         .locator('[data-part=toast]', {
           hasText: 'This link could not be opened',

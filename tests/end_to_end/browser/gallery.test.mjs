@@ -1,8 +1,8 @@
 // The gallery of styles, with pictures that the server renders of the open volume.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, beforeEach, describe, it } from 'node:test';
-import { DESKTOP, openBrowser, PHONE, skip } from './support/browser.mjs';
-import { Server } from './support/server.mjs';
+import { afterEach, beforeEach, describe, it } from 'node:test';
+import { DESKTOP, PHONE, skip } from './support/browser.mjs';
+import { served } from './support/suite.mjs';
 import { Viewer } from './support/viewer.mjs';
 
 const POLL_MS = 250;
@@ -36,23 +36,15 @@ class Wire {
 }
 
 describe('the gallery of styles', { skip }, () => {
-  let server, browser, viewer, wire;
-
-  before(async () => {
-    server = await Server.start();
-    browser = await openBrowser();
-  });
-  after(async () => {
-    await browser?.close();
-    await server?.kill();
-  });
+  let viewer, wire;
+  const suite = served();
 
   async function open(options) {
-    const context = await browser.newContext(options);
+    const context = await suite.browser.newContext(options);
     const page = await context.newPage();
     wire = new Wire(page);
-    viewer = new Viewer(page, server.url);
-    await page.goto(server.url);
+    viewer = new Viewer(page, suite.server.url);
+    await page.goto(suite.server.url);
     await viewer.settled();
     await viewer.openTab('Styles');
   }

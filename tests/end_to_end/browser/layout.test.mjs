@@ -1,8 +1,8 @@
 // Nothing overlaps, and nothing keeps anyone out: every state of the page at both sizes.
 import assert from 'node:assert/strict';
-import { after, before, describe, it } from 'node:test';
-import { axeSource, DESKTOP, openBrowser, PHONE, skip } from './support/browser.mjs';
-import { Server } from './support/server.mjs';
+import { describe, it } from 'node:test';
+import { axeSource, DESKTOP, PHONE, skip } from './support/browser.mjs';
+import { served } from './support/suite.mjs';
 import { Viewer } from './support/viewer.mjs';
 
 const FIXED_PARTS = [
@@ -89,23 +89,14 @@ const UNFOLD = {
 };
 
 describe('layout and accessibility', { skip }, () => {
-  let server, browser;
-
-  before(async () => {
-    server = await Server.start();
-    browser = await openBrowser();
-  });
-  after(async () => {
-    await browser?.close();
-    await server?.kill();
-  });
+  const suite = served();
 
   for (const [name, options] of Object.entries({
     desktop: DESKTOP,
     phone: PHONE,
   })) {
     it(`${name}: every tab, the help, and a message`, async () => {
-      const viewer = await Viewer.open(browser, server.url, options);
+      const viewer = await Viewer.open(suite.browser, suite.server.url, options);
       viewer.name = name;
       await viewer.settled();
       await assertLayout(viewer);

@@ -1,9 +1,10 @@
 // The Magic Lens, the lens under the pointer and in millimetres, and bands with two ends.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, beforeEach, describe, it } from 'node:test';
+import { describe, it } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
-import { DESKTOP, openBrowser, skip } from './support/browser.mjs';
-import { isStandIn, Server } from './support/server.mjs';
+import { DESKTOP, skip } from './support/browser.mjs';
+import { isStandIn } from './support/server.mjs';
+import { served, servedPage } from './support/suite.mjs';
 import { meanDifference, Viewer } from './support/viewer.mjs';
 
 const VISIBLE_CHANGE = 0.1;
@@ -11,21 +12,8 @@ const VISIBLE_CHANGE = 0.1;
 const NEAR_PX = 14;
 
 describe('lens and bands', { skip }, () => {
-  let server, browser, viewer;
-
-  before(async () => {
-    server = await Server.start();
-    browser = await openBrowser();
-  });
-  after(async () => {
-    await browser?.close();
-    await server?.kill();
-  });
-  beforeEach(async () => {
-    viewer = await Viewer.open(browser, server.url, DESKTOP);
-    await viewer.settled();
-  });
-  afterEach(() => viewer.close());
+  let viewer;
+  servedPage(DESKTOP, (page) => (viewer = page));
 
   const setNumber = (name, value) =>
     viewer.after(async () => {
@@ -134,17 +122,15 @@ describe('lens and bands', { skip }, () => {
 });
 
 describe('a refused scene', { skip }, () => {
+  const suite = served();
+
   it('is answered with its field and what was expected', async () => {
-    const server = await Server.start();
-    const browser = await openBrowser();
     const scene = { version: 1, volume: 'phantom:head', lens: { strength: 7 } };
     const hash = `#1.${deflateRawSync(JSON.stringify(scene)).toString('base64url')}`;
-    const viewer = await Viewer.open(browser, `${server.url}${hash}`, DESKTOP);
+    const viewer = await Viewer.open(suite.browser, `${suite.server.url}${hash}`, DESKTOP);
     const toast = viewer.page.locator('[data-part=toast]');
     await toast.filter({ hasText: /Field: \/lens\/strength\. Expected: .*1/ }).waitFor();
     await viewer.settled();
     await viewer.close();
-    await browser.close();
-    await server.kill();
   });
 });

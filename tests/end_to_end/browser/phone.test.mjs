@@ -1,30 +1,18 @@
 // The page under fingers at 390x844.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, beforeEach, describe, it } from 'node:test';
-import { openBrowser, PHONE, skip } from './support/browser.mjs';
-import { Server } from './support/server.mjs';
-import { Viewer } from './support/viewer.mjs';
+import { describe, it } from 'node:test';
+import { PHONE, skip } from './support/browser.mjs';
+import { servedPage } from './support/suite.mjs';
 
 const STEPS = 6;
 const between = (from, to, share) => from + (to - from) * share;
 
 describe('the page on a phone', { skip }, () => {
-  let server, browser, viewer, touch;
-
-  before(async () => {
-    server = await Server.start();
-    browser = await openBrowser();
-  });
-  after(async () => {
-    await browser?.close();
-    await server?.kill();
-  });
-  beforeEach(async () => {
-    viewer = await Viewer.open(browser, server.url, PHONE);
-    await viewer.settled();
+  let viewer, touch;
+  servedPage(PHONE, async (page) => {
+    viewer = page;
     touch = await viewer.page.context().newCDPSession(viewer.page);
   });
-  afterEach(() => viewer.close());
 
   /** Each finger goes from one place to another: [[x, y], [x, y]]. */
   async function move(...fingers) {

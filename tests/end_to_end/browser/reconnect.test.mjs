@@ -1,24 +1,15 @@
 // A server that goes away and comes back.
 import assert from 'node:assert/strict';
-import { after, before, describe, it } from 'node:test';
-import { DESKTOP, openBrowser, skip } from './support/browser.mjs';
-import { Server } from './support/server.mjs';
+import { describe, it } from 'node:test';
+import { DESKTOP, skip } from './support/browser.mjs';
+import { served } from './support/suite.mjs';
 import { meanDifference, Viewer } from './support/viewer.mjs';
 
 describe('a lost connection', { skip }, () => {
-  let server, browser;
-
-  before(async () => {
-    server = await Server.start();
-    browser = await openBrowser();
-  });
-  after(async () => {
-    await browser?.close();
-    await server?.kill();
-  });
+  const suite = served();
 
   it('dims the last picture, and is followed by the same view', async () => {
-    const viewer = await Viewer.open(browser, server.url, DESKTOP);
+    const viewer = await Viewer.open(suite.browser, suite.server.url, DESKTOP);
     await viewer.settled();
     const [x, y] = await viewer.stageMiddle();
     await viewer.after(() => viewer.drag([x - 80, y + 200], [x + 80, y + 150]));
@@ -27,14 +18,14 @@ describe('a lost connection', { skip }, () => {
 
     await viewer.page.mouse.move(x, y + 200);
     await viewer.page.mouse.down();
-    await server.kill();
+    await suite.server.kill();
     await viewer.app('[data-connection=waiting]').waitFor();
     await viewer.page.mouse.up();
     await viewer.page.getByText(/^Reconnecting:/).waitFor();
     assert.ok((await viewer.coverage()) > 0.02, 'the last picture is gone');
     await viewer.screenshot('desktop-disconnected');
 
-    await server.startAgain();
+    await suite.server.startAgain();
     await viewer.app('[data-connection=connected]').waitFor();
     await viewer.settled();
     assert.equal(await viewer.edgeLetters(), letters);

@@ -2,6 +2,7 @@
 #include "app/config.h"
 
 #include <gtest/gtest.h>
+#include <toml++/toml.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -128,6 +129,30 @@ TEST_F(ConfigTest, RefusesWhatIsNotToml) {
 
 TEST_F(ConfigTest, RefusesAFileThatIsNotThere) {
   EXPECT_THROW(read_config_file("/nowhere/cutaway.toml", config), Error);
+}
+
+TEST_F(ConfigTest, TheDocumentedFileHasEveryKeyAtItsDefault) {
+  const fs::path documented = CUTAWAY_SOURCE_DIR "/deploy/cutaway.toml";
+  read_config_file(documented, config);
+  EXPECT_EQ(config, Config());
+  const toml::table tables = toml::parse_file(documented.string());
+  for (const ConfigKey& key : config_keys()) {
+    EXPECT_TRUE(tables[key.table][key.name]) << key.table << "." << key.name << " is left out";
+  }
+}
+
+// So a file that says another default is not equal: no key is left out of the comparison.
+TEST_F(ConfigTest, EveryKeyChangesTheConfiguration) {
+  const toml::table tables = toml::parse_file(CUTAWAY_SOURCE_DIR "/deploy/cutaway.toml");
+  for (const ConfigKey& key : config_keys()) {
+    const auto* kind = std::get_if<IntegerKey>(&key.kind);
+    if (kind == nullptr) continue;
+    const auto documented = tables[key.table][key.name].value<std::int64_t>();
+    ASSERT_TRUE(documented) << key.name;
+    Config other;
+    kind->set(other, *documented == kind->minimum ? kind->maximum : kind->minimum);
+    EXPECT_NE(other, Config()) << key.name;
+  }
 }
 
 TEST_F(ConfigTest, EveryIntegerKeyTakesItsLimitsAndNothingBeyond) {

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "net/host_check.h"
 #include "net/upgrade.h"
 #include "unit/net/test_client.h"
 #include "unit/net/test_server.h"
@@ -152,9 +153,9 @@ TEST_F(HttpTest, ListsTheVolumes) {
 
 TEST_F(HttpTest, SeveralRequestsShareAConnection) {
   RawClient client(server.port());
-  client.send("GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n");
+  client.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
   EXPECT_NE(client.read_some().find("alive"), std::string::npos);
-  client.send("GET /readyz HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n");
+  client.send("GET /readyz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
   const auto rest = client.read_to_end();
   ASSERT_TRUE(rest.has_value());
   EXPECT_NE(rest->find("ready"), std::string::npos);
@@ -176,10 +177,10 @@ TEST_F(HttpTest, GarbageGetsA400AndTheConnectionEnds) {
 
 TEST_F(HttpTest, AHeaderOrBodyThatIsTooLongIsRefused) {
   RawClient header(server.port());
-  header.send("GET / HTTP/1.1\r\nHost: a\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n");
+  header.send("GET / HTTP/1.1\r\nHost: localhost\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n");
   EXPECT_TRUE(header.read_to_end().value().starts_with("HTTP/1.1 431 "));
   RawClient body(server.port());
-  body.send("POST / HTTP/1.1\r\nHost: a\r\nContent-Length: 100000000\r\n\r\n");
+  body.send("POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 100000000\r\n\r\n");
   EXPECT_TRUE(body.read_to_end().value().starts_with("HTTP/1.1 413 "));
 }
 
@@ -215,7 +216,7 @@ TEST(Http, ConnectionsBeyondTheLimitAreDropped) {
   std::vector<std::unique_ptr<RawClient>> taking;
   for (int i = 0; i < 3; ++i) {
     taking.push_back(std::make_unique<RawClient>(server.port()));
-    taking.back()->send("GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n");
+    taking.back()->send("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
     EXPECT_FALSE(taking.back()->read_some().empty());
   }
   RawClient one_more(server.port());
@@ -233,6 +234,49 @@ TEST(Http, AnAddressThatCannotBeHadIsAnErrorThatNamesIt) {
     EXPECT_EQ(error.detail().field, "127.0.0.1:" + std::to_string(server.port()));
     EXPECT_NE(error.detail().message.find("cannot listen"), std::string::npos);
   }
+}
+
+TEST(Host, OnALoopbackAddressIsThisMachineOrListed) {
+  const NetSettings settings{
+      .allowed_origins = {"https://viewer.example:8443", "http://[fd00::1]"}};
+  for (const char* host : {"localhost", "LocalHost:8080", "127.0.0.1", "127.0.0.1:80", "[::1]",
+                           "[::1]:9000", "viewer.example", "Viewer.example:1", "[fd00::1]:80"}) {
+    EXPECT_TRUE(host_allowed(host, settings)) << host;
+  }
+  for (const char* host :
+       {"", "evil.example", "evil.example:8080", "localhost.evil.example", "127.0.0.1.evil.example",
+        "127.0.0.2", "viewer.example.evil", ":8080", "[::1", "::1", "[::1]evil"}) {
+    EXPECT_FALSE(host_allowed(host, settings)) << host;
+  }
+}
+
+TEST(Host, OnAnotherLoopbackAddressIsThatOneToo) {
+  EXPECT_TRUE(host_allowed("127.0.0.5:8080", {.address = "127.0.0.5"}));
+  EXPECT_FALSE(host_allowed("evil.example", {.address = "127.0.0.5"}));
+  EXPECT_FALSE(host_allowed("evil.example", {.address = "::1"}));
+}
+
+TEST(Host, OnAnAddressThatOthersReachIsAnyName) {
+  EXPECT_TRUE(host_allowed("viewer.example", {.address = "0.0.0.0"}));
+  EXPECT_TRUE(host_allowed("viewer.example", {.address = "192.168.1.5"}));
+}
+
+TEST_F(HttpTest, ARequestThatWasMeantForAnotherHostIsRefused) {
+  for (const char* target : {"/", "/icon.svg", "/api/volumes", "/healthz", "/nowhere"}) {
+    const auto answer = get(target, {{"Host", "evil.example:8080"}});
+    EXPECT_EQ(answer.result_int(), 421) << target;
+    EXPECT_NE(answer.body().find("allowed_origins"), std::string::npos) << answer.body();
+  }
+}
+
+TEST_F(HttpTest, APageOfAStrangerOpensNoSessionByTakingOurAddress) {
+  RawClient client(server.port());
+  client.send(
+      "GET /ws HTTP/1.1\r\nHost: evil.example\r\nOrigin: http://evil.example\r\n"
+      "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+      "Sec-WebSocket-Protocol: cutaway.v1\r\n\r\n");
+  EXPECT_TRUE(client.read_to_end().value().starts_with("HTTP/1.1 421 "));
 }
 
 TEST(Origin, IsOursOrListedOrAbsent) {

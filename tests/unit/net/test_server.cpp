@@ -111,7 +111,8 @@ void ThreadedFrames::work(const std::stop_token& stop) {
 Json ThreadedLibrary::listing() const {
   return {
       {"volumes", {{{"id", "ball"}, {"title", "A ball"}, {"format", "test"}, {"modality", ""}}}},
-      {"refused", Json::array()}};
+      {"refused", Json::array()},
+      {"scanning", false}};
 }
 
 std::unique_ptr<OpenTicket> ThreadedLibrary::watch(std::function<void()>) {

@@ -145,6 +145,7 @@ TEST(WebSocket, AMessageFarOverTheLimitClosesWith1009) {
 TEST(WebSocket, ASessionThatFailsIsClosedWith1011AndDisturbsNobody) {
   TestServer server;
   SocketClient failing(server.port());
+  failing.read_until("capabilities");  // the first session, then
   SocketClient other(server.port());
   other.show_ball();
   failing.send(

@@ -132,7 +132,7 @@ class FakeLibrary final : public VolumeLibrary {
   double centre_value = 200.0;
 
  private:
-  Json listing_ = {{"volumes", Json::array()}, {"refused", Json::array()}};
+  Json listing_ = {{"volumes", Json::array()}, {"refused", Json::array()}, {"scanning", false}};
   std::shared_ptr<std::function<void()>> changed_ = std::make_shared<std::function<void()>>();
 };
 

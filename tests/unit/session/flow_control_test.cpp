@@ -43,6 +43,13 @@ TEST(TokenBucket, SavesNoMoreThanTheBurst) {
   EXPECT_FALSE(bucket.take(later));
 }
 
+TEST(TokenBucket, IsPaidBackWhereItWasCharged) {
+  TokenBucket bucket(10.0, 3.0, kStart);
+  bucket.charge(kStart, 5.0);
+  EXPECT_FALSE(bucket.take(kStart + milliseconds(250)));
+  EXPECT_TRUE(bucket.take(kStart + milliseconds(301)));
+}
+
 class PacerTest : public ::testing::Test {
  protected:
   Pacer pacer{Milliseconds(200.0)};

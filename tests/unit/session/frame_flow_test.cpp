@@ -127,6 +127,25 @@ TEST_F(FrameFlowTest, ASecondAcknowledgementOfTheSameFrameIsNoSecondCredit) {
   EXPECT_EQ(client.frames.size(), 3);
 }
 
+TEST_F(FrameFlowTest, TakesOnlyTheFramesOnTheirWayAndTheLastAcknowledged) {
+  for (const std::uint32_t revision : {1U, 2U, 3U}) {
+    show(revision);
+    finish();
+    flow->acknowledge(revision);
+  }
+  show(4);
+  finish();
+  show(5);
+  finish();
+  // Those of long ago, of the future, and where an unsigned difference wraps around.
+  for (const std::uint32_t frame : {0U, 2U, 6U, 99'999U, 2'147'483'652U, 2'147'483'700U, ~0U}) {
+    EXPECT_THROW(flow->acknowledge(frame), Error) << frame;
+  }
+  EXPECT_NO_THROW(flow->acknowledge(3));
+  EXPECT_NO_THROW(flow->acknowledge(5));
+  EXPECT_THROW(flow->acknowledge(4), Error);
+}
+
 TEST_F(FrameFlowTest, RefusesTheAcknowledgementOfAFrameNeverSent) {
   EXPECT_THROW(flow->acknowledge(1), Error);
   show(1);
@@ -137,7 +156,7 @@ TEST_F(FrameFlowTest, RefusesTheAcknowledgementOfAFrameNeverSent) {
   } catch (const Error& error) {
     EXPECT_EQ(error.detail().code, "out-of-range");
     EXPECT_EQ(error.detail().field, "/frame");
-    EXPECT_EQ(error.detail().expected, "at most 1");
+    EXPECT_EQ(error.detail().expected, "1 to 1");
     EXPECT_EQ(error.detail().received, "4");
   }
 }

@@ -51,7 +51,12 @@ export class MockSession {
       styles,
       notice: 'Not for diagnostic use',
     });
-    this.#send({ type: 'volumes', volumes: volumes.map(({ entry }) => entry), refused });
+    this.#send({
+      type: 'volumes',
+      volumes: volumes.map(({ entry }) => entry),
+      refused,
+      scanning: false,
+    });
   }
 
   #send(message) {

@@ -114,9 +114,10 @@ export class CutawayApp extends SessionElement {
   }
 
   private announcement(): string {
-    const { link, loading, volume, lens_follows } = this.state;
+    const { link, loading, volume, lens_follows, awaits_volume } = this.state;
     if (link.phase === 'waiting') return `Disconnected: ${link.reason}. Trying again.`;
     if (loading) return `Opening: ${loading.stage.replace('_', ' ')}`;
+    if (awaits_volume) return 'Looking for volumes';
     if (lens_follows) return 'The lens follows the pointer. Escape ends it.';
     return volume ? `Showing ${volume.title}` : '';
   }

@@ -15,6 +15,7 @@ import type {
 } from '../state/controls.ts';
 import { fromHex, toHex } from '../state/colour.ts';
 import type { Json, JsonObject } from '../state/merge_patch.ts';
+import { control_styles } from '../styles/controls.ts';
 import { shared } from '../styles/shared.ts';
 import { control_field_styles } from './control_field_styles.ts';
 
@@ -34,7 +35,7 @@ export class ControlField extends LitElement {
   @property({ attribute: false }) group = '';
   @property({ attribute: false }) change!: (patch: JsonObject) => void;
 
-  static override styles = [shared, control_field_styles];
+  static override styles = [shared, control_styles, control_field_styles];
 
   override render() {
     const { control } = this;

@@ -1,33 +1,12 @@
-// How a control of the panel looks.
+// How a control of the panel looks, beside what all of them share (styles/controls.ts).
 import { css } from 'lit';
 
 export const control_field_styles = css`
-  :host {
-    display: block;
-    font-size: 13px;
-  }
-  .head {
-    display: flex;
-    justify-content: space-between;
-    align-items: center;
-    gap: 8px;
-    min-height: 26px;
-  }
   .number {
     width: 72px;
     padding: 2px 6px;
     border: 1px solid transparent;
     border-radius: 6px;
-    background: transparent;
-    color: var(--text);
-    font: inherit;
-    font-variant-numeric: tabular-nums;
-    text-align: right;
-    appearance: textfield;
-    -moz-appearance: textfield;
-  }
-  .number::-webkit-inner-spin-button {
-    display: none;
   }
   .number:hover,
   .number:focus {

@@ -4,6 +4,7 @@ import { customElement, property } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import type { CoordinateControl } from '../state/lens_controls.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
+import { control_styles } from '../styles/controls.ts';
 import { shared } from '../styles/shared.ts';
 
 const DIGITS = 1;
@@ -18,16 +19,8 @@ export class CoordinateFields extends LitElement {
 
   static override styles = [
     shared,
+    control_styles,
     css`
-      :host {
-        display: block;
-        font-size: 13px;
-      }
-      .head {
-        display: flex;
-        justify-content: space-between;
-        min-height: 26px;
-      }
       .fields {
         display: grid;
         grid-template-columns: repeat(3, minmax(0, 1fr));
@@ -56,16 +49,6 @@ export class CoordinateFields extends LitElement {
         padding: 2px 9px 2px 0;
         border: 0;
         outline: 0;
-        background: transparent;
-        color: var(--text);
-        font: inherit;
-        font-variant-numeric: tabular-nums;
-        text-align: right;
-        appearance: textfield;
-        -moz-appearance: textfield;
-      }
-      input::-webkit-inner-spin-button {
-        display: none;
       }
       @media (pointer: coarse) {
         input {

@@ -28,6 +28,7 @@ export class CutawayViewport extends SessionElement {
     'shown',
     'loading',
     'volumes',
+    'awaits_volume',
     'capabilities',
     'viewport',
     'lens_follows',
@@ -169,10 +170,11 @@ export class CutawayViewport extends SessionElement {
   }
 
   private emptyNote() {
-    const { shown, loading, link, capabilities, volumes } = this.state;
+    const { shown, loading, link, capabilities, volumes, awaits_volume } = this.state;
     if (shown || loading || link.phase === 'waiting') return nothing;
     const empty = capabilities !== undefined && volumes.length === 0;
-    const waiting = link.phase === 'connecting' ? 'Connecting…' : 'Preparing the picture…';
+    const coming = awaits_volume ? 'Looking for volumes…' : 'Preparing the picture…';
+    const waiting = link.phase === 'connecting' ? 'Connecting…' : coming;
     const text = empty ? 'The server has no volumes to show.' : waiting;
     return html`<div class="empty">${text}</div>`;
   }

@@ -9,7 +9,13 @@ import { SessionElement } from './session_element.ts';
 
 @customElement('cutaway-volume-list')
 export class VolumeList extends SessionElement {
-  protected override readonly draws = ['volumes', 'refused', 'volume', 'loading'] as const;
+  protected override readonly draws = [
+    'volumes',
+    'refused',
+    'scanning',
+    'volume',
+    'loading',
+  ] as const;
 
   static override styles = [
     shared,
@@ -63,6 +69,9 @@ export class VolumeList extends SessionElement {
         font-size: 14px;
         margin-top: 1px;
       }
+      .scanning {
+        margin-top: 12px;
+      }
       details {
         margin-top: 18px;
       }
@@ -84,12 +93,14 @@ export class VolumeList extends SessionElement {
   ];
 
   override render() {
-    const { volumes, refused } = this.state;
+    const { volumes, refused, scanning } = this.state;
+    const none = volumes.length === 0 && !scanning;
     return html`
-      ${volumes.length === 0 ? html`<p class="quiet">No volumes yet.</p>` : nothing}
+      ${none ? html`<p class="quiet">No volumes yet.</p>` : nothing}
       <ul>
         ${volumes.map((entry) => html`<li>${this.entry(entry)}</li>`)}
       </ul>
+      ${scanning ? html`<p class="quiet scanning">Looking for more volumes…</p>` : nothing}
       ${refused.length > 0 ? this.refusedList(refused) : nothing}
     `;
   }

@@ -107,6 +107,7 @@ export class Commands {
 
   /** The server chooses camera, lens and iso-values for the new volume. */
   openVolume(id: string): void {
+    this.store.update({ awaits_volume: false });
     this.link.openVolume(id);
   }
 

@@ -1,5 +1,6 @@
 // Which scene a session begins with: the one it showed before, else the address', else the first
-// volume in the first style.
+// volume in the first style. That is a file's where the server has files, so it waits for their
+// scan.
 import type { ErrorMessage, Scene } from '../protocol/messages.ts';
 import { SceneAddressError, sceneFromAddress } from '../state/scene_address.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
@@ -24,11 +25,13 @@ export class SceneOpening {
   restart(): void {
     this.begun = false;
     this.asked = undefined;
+    this.store.update({ awaits_volume: false });
   }
 
-  /** Once capabilities and volumes are known. */
+  /** Once capabilities and volumes are known, and whenever those are others. */
   async begin(address: string): Promise<void> {
-    const { capabilities, volumes, scene } = this.store.state;
+    const { capabilities, volumes, scene, awaits_volume } = this.store.state;
+    if (awaits_volume) return this.openDefault();
     if (this.begun || !capabilities || volumes.length === 0) return;
     this.begun = true;
     if (scene)
@@ -63,13 +66,16 @@ export class SceneOpening {
   }
 
   private ask(scene: JsonObject, refusal: string): void {
+    this.store.update({ awaits_volume: false });
     this.asked = { input: this.link.replace(scene), refusal };
   }
 
   private openDefault(): void {
-    const { capabilities, volumes } = this.store.state;
+    const { capabilities, volumes, scanning } = this.store.state;
     const [volume] = volumes;
-    if (!volume) return;
+    const awaits_volume = scanning && volumes.every(({ format }) => format === 'phantom');
+    this.store.update({ awaits_volume });
+    if (!volume || awaits_volume) return;
     const scene: Scene = { ...capabilities?.styles[0]?.scene, volume: volume.id };
     this.link.replace(scene as JsonObject);
   }

@@ -79,7 +79,8 @@ export class ViewerSession {
       case 'capabilities':
         return this.store.update({ capabilities: message });
       case 'volumes': {
-        this.store.update({ volumes: message.volumes, refused: message.refused });
+        const { volumes, refused, scanning = false } = message;
+        this.store.update({ volumes, refused, scanning });
         return void this.opening.begin(this.parts.address());
       }
       case 'loading':

@@ -24,6 +24,10 @@ export interface ViewerState {
   readonly capabilities: CapabilitiesMessage | undefined;
   readonly volumes: readonly VolumeEntry[];
   readonly refused: readonly RefusedEntry[];
+  /** The server still looks through its data folders. */
+  readonly scanning: boolean;
+  /** The first volume is to be opened once one of a file is there, or none will come. */
+  readonly awaits_volume: boolean;
   readonly loading: LoadingMessage | undefined;
   /** What the user has set; ahead of the picture. */
   readonly scene: Scene | undefined;
@@ -54,6 +58,8 @@ export const INITIAL_STATE: ViewerState = {
   capabilities: undefined,
   volumes: [],
   refused: [],
+  scanning: false,
+  awaits_volume: false,
   loading: undefined,
   scene: undefined,
   volume: undefined,

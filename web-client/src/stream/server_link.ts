@@ -16,7 +16,7 @@ export interface LinkListener {
 
 function reasonFor(close: CloseEvent, was_open: boolean): string {
   if (close.reason) return close.reason;
-  if (close.code === 1009) return 'a message was too large for the server';
+  if (close.code === 1009) return 'a message was far larger than the server takes';
   if (was_open) return 'the connection was lost';
   return 'the server does not answer';
 }

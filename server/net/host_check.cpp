@@ -1,0 +1,44 @@
+#include "net/host_check.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/asio/ip/address.hpp>
+#include <boost/beast/core/string.hpp>
+
+namespace cutaway {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> kThisMachine = {"localhost", "127.0.0.1", "[::1]"};
+
+std::string_view without_port(std::string_view host) {
+  const std::size_t colon = host.rfind(':');
+  const bool in_brackets = colon != std::string_view::npos && host.find(']', colon) != host.npos;
+  return in_brackets ? host : host.substr(0, colon);
+}
+
+std::string_view host_of_origin(std::string_view origin) {
+  const std::size_t scheme = origin.find("://");
+  return without_port(scheme == std::string_view::npos ? origin : origin.substr(scheme + 3));
+}
+
+bool same(std::string_view a, std::string_view b) {
+  return boost::beast::iequals({a.data(), a.size()}, {b.data(), b.size()});
+}
+
+bool is_loopback(const std::string& address) {
+  boost::system::error_code error;
+  return boost::asio::ip::make_address(address, error).is_loopback() && !error;
+}
+
+}  // namespace
+
+bool host_allowed(std::string_view host, const NetSettings& settings) {
+  if (!is_loopback(settings.address)) return true;
+  const std::string_view name = without_port(host);
+  const auto is_name = [name](std::string_view each) { return same(name, each); };
+  return std::ranges::any_of(kThisMachine, is_name) || is_name(settings.address) ||
+         std::ranges::any_of(settings.allowed_origins, is_name, host_of_origin);
+}
+
+}  // namespace cutaway
