@@ -43,7 +43,7 @@ std::string read_text(const fs::path& file) {
 
 Json read_scene_file(const fs::path& file) {
   try {
-    const Json scene = parse_json(read_text(file));
+    Json scene = parse_json(read_text(file));
     // A style carries its scene with a name and a description around it.
     if (scene.is_object() && scene.contains("scene")) {
       validate(scene, "style");
