@@ -64,17 +64,24 @@ class BadInputTest(ServedTest):
     def test_a_camera_inside_the_bone_is_rendered(self):
         client = self.connect()
         _, opened = client.open(HEAD)
-        client.scene({"lens": {"radius_mm": 1500}, "background": {"colour": [0, 0, 1]}})
+        front = {"eye_mm": [2.2, -678, 0], "target_mm": [2.2, -15, 0], "up": [0, 0, 1]}
+        client.scene({"camera": front, "lens": {"radius_mm": 1500}, "background": {"colour": [0, 0, 1]}})
         x, y, z = self.picked(client)["position_mm"]  # from the front, of the skull
         self.assertGreater(self.share_of_background(client), 0.2)
         eye = [x, y + 3, z]
-        client.scene({"camera": {"eye_mm": eye, "target_mm": [x, y + 100, z]}, "lens": {"mode": "none"}})
+        # A lens that begins there, with no skin before it, cuts a face into what it holds: bone.
+        lens = {"centre_mm": [x, y + 3 + 500, z], "radius_mm": 500}
+        client.scene({"lens": lens, "context": {"surface": {"iso_value": 3000}}})
         picked = self.picked(client)
-        for axis in range(3):
-            self.assertAlmostEqual(picked["position_mm"][axis], eye[axis], delta=0.01)
+        self.assertEqual(picked["branch"], "focus")
+        self.assertAlmostEqual(picked["position_mm"][1], eye[1], delta=0.5)
         self.assertGreater(picked["value"], opened["volume"]["inner_iso_value"] + 100, "the eye is in no bone")
-        # What surrounds the eye fills the picture, to a few rays along the surface.
-        self.assertLess(self.share_of_background(client), 0.05)
+        inside = {"eye_mm": eye, "target_mm": [x, y + 100, z]}
+        client.scene({"camera": inside, "lens": {"mode": "none"}, "context": {"surface": {"iso_value": -200}}})
+        # No cut where the eye stands: it sees the walls of the cavities around it.
+        share = self.share_of_background(client)
+        self.assertLess(share, 0.5)
+        self.assertNotEqual(self.picked(client).get("branch"), "focus")
         self.assertFalse([text for text in client.texts if text["type"] == "error"])
 
     def test_over_64_kib_is_refused_and_the_session_goes_on(self):
