@@ -64,8 +64,9 @@ TEST_F(Views, HoldEveryPointThatIsInThePicture) {
       if (!contains({{0, 0}, kPicture}, pixel)) continue;
       ++looked_at;
       ASSERT_TRUE(contains(found.volume, pixel)) << round;
-      if (glm::distance(in_volume, view.lens.centre_mm) < view.lens.radius_mm)
+      if (glm::distance(in_volume, view.lens.centre_mm) < view.lens.radius_mm) {
         ASSERT_TRUE(contains(found.branches[kFocus], pixel)) << round;
+      }
     }
   }
   EXPECT_GT(looked_at, 2000);
