@@ -224,7 +224,8 @@ RawVolume read_dicom(const VolumeSource& source, const ReadContext& context) {
     raw.description.warnings.push_back(fmt::format(
         "{} pixels are padding outside of the image; each was set to the smallest value", padded));
   }
-  if (plan.needs_resampling) raw.voxels = resample(raw.voxels, stack_of(group), plan, context.stop);
+  if (plan.needs_resampling)
+    raw.voxels = resample(raw.voxels, stack_of(group), plan, raw.slope, context.stop);
   return raw;
 }
 

@@ -236,7 +236,7 @@ RawVolume read_image_stack(const VolumeSource& source, const ReadContext& contex
   if (layout.channels > 1)
     raw.voxels = reduce_channels(raw.voxels, layout.channels, Channels::colour);
   if (stack.plan.needs_resampling)
-    raw.voxels = resample(raw.voxels, stack.slices, stack.plan, context.stop);
+    raw.voxels = resample(raw.voxels, stack.slices, stack.plan, stack.sidecar.slope, context.stop);
   raw.slope = stack.sidecar.slope;
   raw.intercept = stack.sidecar.intercept;
   return raw;

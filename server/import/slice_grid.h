@@ -47,8 +47,8 @@ SliceStack stack_of_affine(glm::ivec3 size_voxels, const glm::dmat3& steps_mm,
                            glm::dvec3 origin_mm);
 
 /// Linear interpolation within and between slices. Voxels that no slice covers get the smallest
-/// stored value: air in a CT.
+/// value: air in a CT. It is the largest stored number where `slope`, the file's, is negative.
 RawVoxels resample(const RawVoxels& slices, const SliceStack& stack, const GridPlan& plan,
-                   std::stop_token stop);
+                   double slope, std::stop_token stop);
 
 }  // namespace cutaway::reading

@@ -131,7 +131,7 @@ VolumeHead volume_head_from(const Json& json) {
   head.volume.value_offset = finite_number(json.at("offset"));
   head.volume.value_range = {finite_number(json.at("range").at(0)),
                              finite_number(json.at("range").at(1))};
-  if (head.volume.value_scale == 0) refuse_report("scale");
+  if (head.volume.value_scale <= 0) refuse_report("scale");
   return head;
 }
 

@@ -68,23 +68,28 @@ template <typename T>
 PackedVoxels pack_uint16(std::span<const T> values, T smallest, T largest, double slope,
                          double intercept) {
   std::vector<std::uint16_t> stored(values.size());
-  std::transform(values.begin(), values.end(), stored.begin(),
-                 [smallest](T value) { return std::uint16_t(distance_from(smallest, value)); });
-  const double offset = double(smallest) * slope + intercept;
-  const double last = double(distance_from(smallest, largest)) * slope + offset;
+  std::transform(values.begin(), values.end(), stored.begin(), [=](T value) {
+    return std::uint16_t(falls ? distance_from(value, largest) : distance_from(smallest, value));
+  });
+  const double scale = std::abs(slope);
+  const double offset = double(falls ? largest : smallest) * slope + intercept;
+  const double last = double(distance_from(smallest, largest)) * scale + offset;
   return {.voxels = std::move(stored),
-          .value_scale = slope,
+          .value_scale = scale,
           .value_offset = offset,
-          .value_range = {std::min(offset, last), std::max(offset, last)}};
+          .value_range = {offset, last}};
 }
 
 }  // namespace
 
 template <typename T>
 PackedVoxels pack_voxels(std::span<const T> values, double slope, double intercept) {
+/// Counted from the end that is physically smallest, so that stored values rise with those that
+/// they mean.
   require_rescale(slope, intercept);
   if (values.empty()) refuse_without_values(0);
   if constexpr (std::is_integral_v<T>) {
+  const bool falls = slope < 0.0;
     const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
     if (distance_from(*smallest, *largest) <= std::numeric_limits<std::uint16_t>::max()) {
       return pack_uint16(values, *smallest, *largest, slope, intercept);

@@ -10,7 +10,7 @@ namespace cutaway {
 
 struct PackedVoxels {
   Voxels voxels;
-  double value_scale = 1.0;
+  double value_scale = 1.0;  ///< above 0, as Volume wants it
   double value_offset = 0.0;
   ValueRange value_range;
   std::size_t replaced_non_finite = 0;  ///< NaN and infinities, set to the smallest finite value
