@@ -35,6 +35,22 @@ std::optional<float> to_finite_float(T value, double slope, double intercept) {
   return std::abs(physical) <= kLargest ? std::optional(float(physical)) : std::nullopt;
 }
 
+/// What stored floats are multiples of: shaders square their differences, and far from 1 the
+/// squares overflow or vanish. A power of two costs no digit.
+double float_scale(double largest_magnitude) {
+  constexpr double kSmallestHarmless = 1e-3;
+  constexpr double kLargestHarmless = 1e12;
+  const bool harmless =
+      largest_magnitude >= kSmallestHarmless && largest_magnitude <= kLargestHarmless;
+  if (harmless || largest_magnitude == 0.0) return 1.0;
+  return std::exp2(std::ilogb(largest_magnitude));
+}
+
+void divide(std::vector<float>& stored, double scale) {
+  if (scale == 1.0) return;
+  for (float& value : stored) value = float(value / scale);
+}
+
 template <typename T>
 PackedVoxels pack_float(std::span<const T> values, double slope, double intercept) {
   PackedVoxels packed;
@@ -54,6 +70,8 @@ PackedVoxels pack_float(std::span<const T> values, double slope, double intercep
         stored.begin(), stored.end(), [](float v) { return std::isnan(v); }, smallest);
   }
   packed.value_range = {smallest, largest};
+  packed.value_scale = float_scale(std::max(std::abs(smallest), std::abs(largest)));
+  divide(stored, packed.value_scale);
   packed.voxels = std::move(stored);
   return packed;
 }
@@ -64,9 +82,12 @@ std::uint32_t distance_from(T smallest, T value) {
   return std::uint32_t(value) - std::uint32_t(smallest);
 }
 
+/// Counted from the end that is physically smallest, so that stored values rise with those that
+/// they mean.
 template <typename T>
 PackedVoxels pack_uint16(std::span<const T> values, T smallest, T largest, double slope,
                          double intercept) {
+  const bool falls = slope < 0.0;
   std::vector<std::uint16_t> stored(values.size());
   std::transform(values.begin(), values.end(), stored.begin(), [=](T value) {
     return std::uint16_t(falls ? distance_from(value, largest) : distance_from(smallest, value));
@@ -84,14 +105,14 @@ PackedVoxels pack_uint16(std::span<const T> values, T smallest, T largest, doubl
 
 template <typename T>
 PackedVoxels pack_voxels(std::span<const T> values, double slope, double intercept) {
-/// Counted from the end that is physically smallest, so that stored values rise with those that
-/// they mean.
   require_rescale(slope, intercept);
   if (values.empty()) refuse_without_values(0);
   if constexpr (std::is_integral_v<T>) {
-  const bool falls = slope < 0.0;
     const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
-    if (distance_from(*smallest, *largest) <= std::numeric_limits<std::uint16_t>::max()) {
+    const bool all_finite =
+        to_finite_float(*smallest, slope, intercept) && to_finite_float(*largest, slope, intercept);
+    if (all_finite &&
+        distance_from(*smallest, *largest) <= std::numeric_limits<std::uint16_t>::max()) {
       return pack_uint16(values, *smallest, *largest, slope, intercept);
     }
   }
