@@ -65,6 +65,7 @@ VolumeGeometry geometry_from(const Json& json) {
   if (glm::any(glm::lessThanEqual(geometry.spacing_mm, glm::dvec3(0.0)))) refuse_report("spacing");
   return geometry;
 }
+  if (!is_within_reach(geometry)) refuse_report("origin");
 
 }  // namespace
 
