@@ -40,7 +40,7 @@ std::string first_text(const gdcm::DataSet& data,
 
 std::string title_of(const gdcm::DataSet& data) {
   std::string described = first_text(data, {{0x0008, 0x103e}, {0x0008, 0x1030}, {0x0018, 0x1030}});
-  if (!described.empty()) return described;
+  if (!described.empty()) return quoted_briefly(described);
   return printable(text_at(data, 0x0008, 0x0060) + " " + text_at(data, 0x0018, 0x0015));
 }
 

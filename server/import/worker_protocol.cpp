@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "import/refusal.h"
+
 namespace cutaway::reading {
 
 namespace {
@@ -99,7 +101,8 @@ Listing listing_from(const Json& json) {
     if (listing.volumes.back().files.empty()) refuse_report("files");
   }
   for (const auto& refused : json.at("refused")) {
-    listing.refused.push_back({refused.at(0).get<std::string>(), refused.at(1)});
+    listing.refused.push_back(
+        {refused.at(0).get<std::string>(), quoted_briefly(refused.at(1), kLongestReason)});
   }
   return listing;
 }
