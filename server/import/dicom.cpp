@@ -124,9 +124,9 @@ std::vector<DicomFrame> read_headers(std::span<const fs::path> files, const Scan
                                      std::vector<RefusedFile>& refused) {
   std::vector<DicomFrame> frames;
   for (const auto& file : files) {
-    context.begin_file(file);
     try {
-      for (auto& frame : read_dicom_frames(file)) frames.push_back(std::move(frame));
+      auto found = context.look_into(file, [&file] { return read_dicom_frames(file); });
+      std::move(found.begin(), found.end(), std::back_inserter(frames));
     } catch (const Error& error) {
       refused.push_back({file, reason_of(error)});
     }
