@@ -124,9 +124,9 @@ std::vector<DicomFrame> read_headers(std::span<const fs::path> files, const Scan
                                      std::vector<RefusedFile>& refused) {
   std::vector<DicomFrame> frames;
   for (const auto& file : files) {
-    context.begin_file(file);
     try {
-      for (auto& frame : read_dicom_frames(file)) frames.push_back(std::move(frame));
+      auto found = context.look_into(file, [&file] { return read_dicom_frames(file); });
+      std::move(found.begin(), found.end(), std::back_inserter(frames));
     } catch (const Error& error) {
       refused.push_back({file, reason_of(error)});
     }
@@ -224,7 +224,8 @@ RawVolume read_dicom(const VolumeSource& source, const ReadContext& context) {
     raw.description.warnings.push_back(fmt::format(
         "{} pixels are padding outside of the image; each was set to the smallest value", padded));
   }
-  if (plan.needs_resampling) raw.voxels = resample(raw.voxels, stack_of(group), plan, context.stop);
+  if (plan.needs_resampling)
+    raw.voxels = resample(raw.voxels, stack_of(group), plan, raw.slope, context.stop);
   return raw;
 }
 

@@ -11,6 +11,7 @@
 
 #include "import/data_root.h"
 #include "import/dicom_dataset.h"
+#include "import/dicom_elements.h"
 #include "import/dicom_functional_groups.h"
 #include "import/refusal.h"
 
@@ -40,7 +41,7 @@ std::string first_text(const gdcm::DataSet& data,
 
 std::string title_of(const gdcm::DataSet& data) {
   std::string described = first_text(data, {{0x0008, 0x103e}, {0x0008, 0x1030}, {0x0018, 0x1030}});
-  if (!described.empty()) return described;
+  if (!described.empty()) return quoted_briefly(described);
   return printable(text_at(data, 0x0008, 0x0060) + " " + text_at(data, 0x0018, 0x0015));
 }
 
@@ -138,12 +139,19 @@ void require_file_size(const fs::path& file, const gdcm::File& dicom, const Dico
   }
 }
 
-bool is_image(const fs::path& file, const gdcm::DataSet& data) {
+/// The class of a file that ends too soon may still stand in its header.
+std::string storage_class(const gdcm::File& dicom) {
+  const std::string own = text_at(dicom.GetDataSet(), 0x0008, 0x0016);
+  return own.empty() ? text_at(dicom.GetHeader(), 0x0002, 0x0002) : own;
+}
+
+bool is_image(const fs::path& file, const gdcm::File& dicom) {
+  const gdcm::DataSet& data = dicom.GetDataSet();
   if (binary_at(data, 0x0028, 0x0010).value_or(0) > 0 &&
       binary_at(data, 0x0028, 0x0011).value_or(0) > 0) {
     return true;
   }
-  const std::string storage = text_at(data, 0x0008, 0x0016);
+  const std::string storage = storage_class(dicom);
   if (storage.starts_with("1.2.840.10008.5.1.4.1.1.2") ||
       storage.starts_with("1.2.840.10008.5.1.4.1.1.4")) {
     refuse(file, "the image has no usable size", "Rows and Columns above 0");
@@ -153,7 +161,7 @@ bool is_image(const fs::path& file, const gdcm::DataSet& data) {
 
 std::vector<DicomFrame> frames_of(const fs::path& file, const gdcm::File& dicom) {
   const gdcm::DataSet& data = dicom.GetDataSet();
-  if (!is_image(file, data)) return {};
+  if (!is_image(file, dicom)) return {};
   require_grey_planes(file, data);
   std::vector<DicomFrame> frames;
   if (has_functional_groups(data)) {
@@ -182,6 +190,7 @@ std::string_view name_of(PlaneKey key) {
 std::vector<DicomFrame> read_dicom_frames(const fs::path& file) {
   silence_gdcm();
   try {
+    require_whole_elements(file);
     gdcm::Reader reader;
     reader.SetFileName(file.c_str());
     const gdcm::Tag pixel_data(0x7fe0, 0x0010);

@@ -107,7 +107,7 @@ RawVolume read_grid_file(const GridFile& grid, const VolumeSource& source,
   raw.voxels = read_voxel_data(grid.data, values_of_a_volume(grid), context);
   if (grid.channels > 1) raw.voxels = reduce_channels(raw.voxels, grid.channels, grid.meaning);
   if (laid_out.plan.needs_resampling) {
-    raw.voxels = resample(raw.voxels, laid_out.stack, laid_out.plan, context.stop);
+    raw.voxels = resample(raw.voxels, laid_out.stack, laid_out.plan, grid.slope, context.stop);
   }
   raw.slope = grid.slope;
   raw.intercept = grid.intercept;

@@ -32,16 +32,14 @@ struct Stack {
   }
 };
 
-using BeginFile = std::function<void(const fs::path&)>;
+using OpenPicture = std::function<ImageFile(const fs::path&)>;
 
 /// All pictures of a stack have one size and number type.
-void open_pictures(Stack& stack, const BeginFile& begin_file) {
-  begin_file(stack.files.front());
-  stack.first = open_image_file(stack.files.front());
+void open_pictures(Stack& stack, const OpenPicture& open) {
+  stack.first = open(stack.files.front());
   if (stack.files.size() == 1) return;
   for (const auto& file : stack.files) {
-    begin_file(file);
-    const ImageFile image = open_image_file(file);
+    const ImageFile image = open(file);
     if (image.pages > 1) refuse(file, "one picture of the stack has several pages", "one page");
     if (image.layout != stack.first.layout) {
       refuse(file, "the picture differs from the first of its stack in size or number type",
@@ -109,11 +107,10 @@ void take_sidecar(Stack& stack) {
   }
 }
 
-Stack open_stack(std::vector<fs::path> files, const ImportLimits& limits,
-                 const BeginFile& begin_file) {
+Stack open_stack(std::vector<fs::path> files, const ImportLimits& limits, const OpenPicture& open) {
   Stack stack;
   stack.files = std::move(files);
-  open_pictures(stack, begin_file);
+  open_pictures(stack, open);
   take_sidecar(stack);
   lay_out(stack, limits);
   return stack;
@@ -131,10 +128,10 @@ VolumeDescription describe(const Stack& stack, const fs::path& named_by, const f
 }
 
 /// A file that cannot be opened counts as one picture, so that it is its stack that is refused.
-bool has_pages(const fs::path& file) {
+bool has_pages(const fs::path& file, const OpenPicture& open) {
   if (!lower_case(file.extension().string()).starts_with(".tif")) return false;
   try {
-    return open_image_file(file).pages > 1;
+    return open(file).pages > 1;
   } catch (const Error&) {
     return false;
   }
@@ -154,13 +151,12 @@ RefusedFile refused_stack(const std::vector<fs::path>& files, const Error& error
 /// a sidecar all together.
 std::vector<std::vector<fs::path>> stacks_of_folder(const fs::path& folder,
                                                     const std::vector<std::string>& names,
-                                                    const BeginFile& begin_file) {
+                                                    const OpenPicture& open) {
   std::error_code failed;
   std::vector<std::string> singles;
   std::vector<std::vector<fs::path>> stacks;
   for (const auto& name : names) {
-    begin_file(folder / name);
-    const bool paged = has_pages(folder / name);
+    const bool paged = has_pages(folder / name, open);
     if (paged) stacks.push_back({folder / name});
     if (!paged) singles.push_back(name);
   }
@@ -181,12 +177,14 @@ std::vector<std::vector<fs::path>> stacks_of_folder(const fs::path& folder,
 
 void find_in_folder(const fs::path& folder, const std::vector<std::string>& names,
                     const ScanContext& context, Listing& listing) {
-  const BeginFile begin_file = [&](const fs::path& file) { context.begin_file(file); };
-  const auto stacks = stacks_of_folder(folder, names, begin_file);
+  const OpenPicture open = [&](const fs::path& file) {
+    return context.look_into(file, [&file] { return open_image_file(file); });
+  };
+  const auto stacks = stacks_of_folder(folder, names, open);
   for (const auto& files : stacks) {
     const fs::path named_by = files.size() > 1 && stacks.size() == 1 ? folder : files.front();
     try {
-      const Stack stack = open_stack(files, context.limits, begin_file);
+      const Stack stack = open_stack(files, context.limits, open);
       listing.volumes.push_back(
           {describe(stack, named_by, context.root), stack.plan.geometry, files});
     } catch (const Error& error) {
@@ -212,8 +210,11 @@ Listing find_image_stacks(std::span<const fs::path> files, const ScanContext& co
 }
 
 RawVolume read_image_stack(const VolumeSource& source, const ReadContext& context) {
-  const auto begin_file = [&](const fs::path&) { throw_if_cancelled(context.stop); };
-  const Stack stack = open_stack(source.files, context.limits, begin_file);
+  const auto open = [&](const fs::path& file) {
+    throw_if_cancelled(context.stop);
+    return open_image_file(file);
+  };
+  const Stack stack = open_stack(source.files, context.limits, open);
   if (context.progress) context.progress(LoadStage::read, 1.0);
   const PixelLayout& layout = stack.first.layout;
   const auto slices = static_cast<std::size_t>(stack.slice_count());
@@ -236,7 +237,7 @@ RawVolume read_image_stack(const VolumeSource& source, const ReadContext& contex
   if (layout.channels > 1)
     raw.voxels = reduce_channels(raw.voxels, layout.channels, Channels::colour);
   if (stack.plan.needs_resampling)
-    raw.voxels = resample(raw.voxels, stack.slices, stack.plan, context.stop);
+    raw.voxels = resample(raw.voxels, stack.slices, stack.plan, stack.sidecar.slope, context.stop);
   raw.slope = stack.sidecar.slope;
   raw.intercept = stack.sidecar.intercept;
   return raw;

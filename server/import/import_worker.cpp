@@ -64,14 +64,18 @@ void read_for(const Json& job, const ImportLimits& limits) {
 }
 
 void scan_for(const Json& job, const ImportLimits& limits) {
+  ScanJob scan = scan_job_from(job);
   ScanContext context;
   context.limits = limits;
-  for (const auto& path : paths_from(job.at("skip"))) context.skip.insert(path);
+  context.given_up = std::move(scan.given_up);
+  context.opened = std::move(scan.opened);
+  context.only_opened = scan.task == ScanTask::list_opened;
+  context.is_trial = scan.task == ScanTask::try_out;
+  context.dicom_refused = std::move(scan.dicom_refused);
   context.on_file = [](const std::filesystem::path& file) { report("file", file.string()); };
+  context.on_opened = [](const std::filesystem::path& file) { report("opened", file.string()); };
   context.on_grouping = [] { report("grouping", true); };
-  const auto path = job.at("scan").get<std::string>();
-  const auto root = job.at("root").get<std::string>();
-  report("listing", to_json(scan_in_context(path, root, std::move(context))));
+  report("listing", to_json(scan_in_context(scan.path, scan.root, std::move(context))));
 }
 
 }  // namespace

@@ -1,19 +1,14 @@
 #include "import/isolated_reader.h"
 
-#include <fmt/format.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <optional>
 #include <span>
 
-#include "import/child_process.h"
 #include "import/refusal.h"
-#include "import/worker_protocol.h"
+#include "import/supervision.h"
 
 namespace cutaway {
 
@@ -21,8 +16,6 @@ using namespace reading;
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::uint64_t kBaseMemoryBytes = std::uint64_t{1} << 30;  // program, libraries, headers
 
 /// A voxel passes through at most 32 bytes on its way: as in the file, as decoded, resampled,
 /// packed. Files are read whole; and what is decoded beside the voxels is there four times at
@@ -37,59 +30,6 @@ std::uint64_t memory_for(const VolumeSource& source, const ImportLimits& limits)
     if (!failed) bytes += 2 * file_bytes;
   }
   return bytes;
-}
-
-/// In a file of memory, which a child that does not read cannot block.
-Descriptor job_file(const Json& job) {
-  Descriptor file = make_memory_file("cutaway-job");
-  const std::string text = text_of(job);
-  if (pwrite(file.get(), text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
-    throw Error({.code = "internal", .message = "a reader's job cannot be written"});
-  }
-  return file;
-}
-
-/// What a child leaves behind.
-struct Outcome {
-  std::optional<Json> answer;          ///< its last report: a volume or a listing
-  std::optional<std::string> failure;  ///< in words, where it did not end well
-};
-
-std::string failure_in_words(const ChildEnd& end, const IsolatedReader& isolation) {
-  if (end.signal == SIGXCPU) {
-    return fmt::format("reading it took more than {} s of processor time",
-                       isolation.processor_time.count());
-  }
-  if (end.signal == SIGKILL) return "its reader was killed, perhaps for want of memory";
-  if (end.signal != 0) return fmt::format("its reader crashed (signal {})", end.signal);
-  return fmt::format("its reader ended without an answer (status {})", end.exit_status);
-}
-
-/// Listens to a child until it ends. `on_report` gets its reports but for errors, which are thrown.
-Outcome supervise(const IsolatedReader& isolation, const Json& job, std::uint64_t memory_bytes,
-                  const Descriptor& voxels, const std::function<void(const Json&)>& on_report,
-                  const std::stop_token& stop) {
-  std::vector<std::string> command{isolation.executable.string()};
-  command.insert(command.end(), isolation.arguments.begin(), isolation.arguments.end());
-  ChildProcess child(command, job_file(job), voxels, {memory_bytes, isolation.processor_time});
-  Outcome outcome;
-  for (std::string line;;) {
-    const auto heard = child.next_line(line, isolation.silence, stop);
-    if (heard == ChildProcess::Heard::silence) {
-      outcome.failure =
-          fmt::format("its reader said nothing for {:.0f} s",
-                      std::ceil(static_cast<double>(isolation.silence.count()) / 1000.0));
-      return outcome;
-    }
-    if (heard == ChildProcess::Heard::end) break;
-    Json report = Json::parse(line);
-    if (report.contains("error")) throw error_from(report.at("error"));
-    on_report(report);
-    outcome.answer = std::move(report);
-  }
-  const ChildEnd end = child.wait();
-  if (end.signal != 0 || end.exit_status != 0) outcome.failure = failure_in_words(end, isolation);
-  return outcome;
 }
 
 /// By reading, not mapping: the child could cut a mapped file under us.
@@ -134,21 +74,6 @@ Volume take_volume(VolumeHead head, const Descriptor& file, const ImportLimits& 
   return volume;
 }
 
-/// An answer in no form that we know is a failure of the file's, not of ours.
-template <typename Work>
-auto with_field(const fs::path& file, Work work) {
-  try {
-    return work();
-  } catch (const Json::exception&) {
-    refuse(file, "its reader's answer is not usable");
-  } catch (const Error& error) {
-    Error::Detail detail = error.detail();
-    if (!detail.field.empty()) throw;
-    detail.field = file.string();
-    throw Error(detail);
-  }
-}
-
 }  // namespace
 
 Volume read_volume_isolated(const IsolatedReader& isolation, const VolumeSource& source,
@@ -169,41 +94,6 @@ Volume read_volume_isolated(const IsolatedReader& isolation, const VolumeSource&
     if (outcome.failure) refuse(file, *outcome.failure);
     return take_volume(volume_head_from(outcome.answer.value_or(Json::object()).at("volume")),
                        voxels, limits);
-  });
-}
-
-Listing scan_volumes_isolated(const IsolatedReader& isolation, const fs::path& path,
-                              const fs::path& data_root, const ImportLimits& limits,
-                              std::stop_token stop) {
-  constexpr std::size_t kMostFailures = 100;
-  return with_field(path, [&] {
-    std::vector<RefusedFile> failed;
-    Json skip = Json::array();
-    while (true) {
-      const Descriptor unused = make_memory_file("cutaway-scan");
-      const Json job = {{"scan", path.string()},
-                        {"root", data_root.string()},
-                        {"skip", skip},
-                        {"volume_bytes", limits.volume_bytes}};
-      std::string current;  // the file at work, empty where there is none to blame
-      bool grouping = false;
-      const auto on_report = [&](const Json& report) {
-        grouping = report.contains("grouping");
-        current = report.contains("file") ? report.at("file").get<std::string>() : "";
-      };
-      const std::uint64_t memory =
-          isolation.memory_bytes > 0 ? isolation.memory_bytes : 4 * kBaseMemoryBytes;
-      const Outcome outcome = supervise(isolation, job, memory, unused, on_report, stop);
-      if (!outcome.failure) {
-        Listing listing = listing_from(outcome.answer.value_or(Json::object()).at("listing"));
-        listing.refused.insert(listing.refused.end(), failed.begin(), failed.end());
-        return listing;
-      }
-      if (grouping) refuse(path, *outcome.failure + " while it sorted DICOM slices into volumes");
-      if (current.empty() || failed.size() == kMostFailures) refuse(path, *outcome.failure);
-      failed.push_back({current, *outcome.failure});
-      skip.push_back(current);
-    }
   });
 }
 

@@ -16,6 +16,7 @@ struct IsolatedReader {
       0;  ///< address space of the child; 0: what a volume of that size needs, generously
   std::chrono::seconds processor_time{900};
   std::chrono::milliseconds silence{120'000};  ///< the longest that it may say nothing
+  std::size_t failures_of_scan = 100;  ///< files that may stop it before the rest is left alone
 };
 
 /// As read_volume(). Error "volume-refused" also where the child crashed, was killed, exceeded a
@@ -26,7 +27,8 @@ Volume read_volume_isolated(const IsolatedReader& isolation, const VolumeSource&
                             std::stop_token stop);
 
 /// As scan_volumes(). A file at which the child crashed or fell silent is refused, and the scan
-/// goes on without it.
+/// goes on behind it. Where that happens too often (`failures_of_scan`, or 10 minutes lost), files
+/// that were not opened yet are refused as not looked at, and the rest is listed.
 Listing scan_volumes_isolated(const IsolatedReader& isolation, const std::filesystem::path& path,
                               const std::filesystem::path& data_root, const ImportLimits& limits,
                               std::stop_token stop);

@@ -19,6 +19,8 @@ std::string extents_in_words(std::span<const std::int64_t> extents) {
   return text;
 }
 
+bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
 }  // namespace
 
 void refuse(const std::filesystem::path& file, std::string message, std::string expected,
@@ -27,7 +29,14 @@ void refuse(const std::filesystem::path& file, std::string message, std::string 
                .message = std::move(message),
                .field = file.string(),
                .expected = std::move(expected),
-               .received = std::move(received)});
+               .received = quoted_briefly(std::move(received))});
+}
+
+std::string quoted_briefly(std::string text, std::size_t bytes) {
+  if (text.size() <= bytes) return text;
+  while (bytes > 0 && continues_character(text[bytes])) --bytes;
+  text.resize(bytes);
+  return text + "...";
 }
 
 std::string reason_of(const Error& error) {

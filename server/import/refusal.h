@@ -11,9 +11,17 @@
 
 namespace cutaway::reading {
 
-/// Throws Error "volume-refused" with `file` as its field.
+/// Throws Error "volume-refused" with `file` as its field. What came is cut to kLongestQuote, for
+/// it may be a whole file.
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string message,
                          std::string expected = {}, std::string received = {});
+
+/// Bytes of what a file says that a sentence repeats, and of the sentence.
+inline constexpr std::size_t kLongestQuote = 100;
+inline constexpr std::size_t kLongestReason = 600;
+
+/// The text, or its beginning and "..." where it is longer; cuts no character of UTF-8 in two.
+std::string quoted_briefly(std::string text, std::size_t bytes = kLongestQuote);
 
 /// The sentence of an Error without its field: a listing shows the path next to it.
 std::string reason_of(const Error& error);

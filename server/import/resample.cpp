@@ -37,11 +37,13 @@ bool is_nan(T value) {
 template <typename T>
 class SliceResampler {
  public:
-  SliceResampler(const std::vector<T>& voxels, const SliceStack& stack, const GridPlan& plan)
+  SliceResampler(const std::vector<T>& voxels, const SliceStack& stack, const GridPlan& plan,
+                 double slope)
       : voxels_(voxels), size_px_(stack.size_px), plan_(plan) {
     // NaN, which has no order, comes last.
-    const auto smallest = std::min_element(
-        voxels.begin(), voxels.end(), [](T a, T b) { return a < b || (!is_nan(a) && is_nan(b)); });
+    const auto smallest = std::min_element(voxels.begin(), voxels.end(), [slope](T a, T b) {
+      return (slope < 0 ? b < a : a < b) || (!is_nan(a) && is_nan(b));
+    });
     outside_ = *smallest;
   }
 
@@ -142,10 +144,10 @@ class SliceResampler {
 }  // namespace
 
 RawVoxels resample(const RawVoxels& slices, const SliceStack& stack, const GridPlan& plan,
-                   std::stop_token stop) {
+                   double slope, std::stop_token stop) {
   return std::visit(
       [&]<typename T>(const std::vector<T>& voxels) -> RawVoxels {
-        return SliceResampler<T>(voxels, stack, plan).run(stop);
+        return SliceResampler<T>(voxels, stack, plan, slope).run(stop);
       },
       slices);
 }

@@ -8,6 +8,7 @@
 #include "import/dicom_frame.h"
 #include "import/formats.h"
 #include "import/grid_file.h"
+#include "import/image_file.h"
 #include "import/refusal.h"
 
 namespace cutaway {
@@ -25,7 +26,7 @@ bool is_nifti_name(const std::string& name) {
          name.ends_with(".hdr.gz");
 }
 
-FileKind kind_of(const fs::path& file) {
+FileKind kind_by_name(const fs::path& file) {
   const std::string name = lower_case(file.filename().string());
   const auto ends_with_one_of = [&](auto... endings) { return (name.ends_with(endings) || ...); };
   if (ends_with_one_of(".dcm", ".dicom", ".ima")) return FileKind::dicom;
@@ -33,7 +34,11 @@ FileKind kind_of(const fs::path& file) {
   if (ends_with_one_of(".nrrd", ".nhdr")) return FileKind::nrrd;
   if (ends_with_one_of(".mha", ".mhd")) return FileKind::metaimage;
   if (ends_with_one_of(".tif", ".tiff", ".png")) return FileKind::picture;
-  return has_dicom_magic(file) ? FileKind::dicom : FileKind::none;
+  return FileKind::none;
+}
+
+bool is_grid(FileKind kind) {
+  return kind == FileKind::nifti || kind == FileKind::nrrd || kind == FileKind::metaimage;
 }
 
 class Walk {
@@ -46,7 +51,8 @@ class Walk {
     } else {
       sort_file(path);
     }
-    add(find_dicom(dicom_, context_));
+    if (context_.is_trial) return {};
+    add_dicom(path);
     add(find_image_stacks(pictures_, context_));
     std::sort(listing_.volumes.begin(), listing_.volumes.end(),
               [](const auto& a, const auto& b) { return a.description.id < b.description.id; });
@@ -95,25 +101,58 @@ class Walk {
       listing_.refused.push_back({file, "the file's name is not readable text; expected UTF-8"});
       return;
     }
-    if (context_.skip.contains(file)) return;
-    context_.begin_file(file);
+    context_.announce(file);
     const FileKind kind = kind_of(file);
     std::error_code failed;
     if (kind != FileKind::none && fs::file_size(file, failed) == 0 && !failed) {
       listing_.refused.push_back({file, "the file is empty"});
       return;
     }
+    if (context_.is_trial) return try_out(kind, file);
     if (kind == FileKind::dicom) dicom_.push_back(file);
     if (kind == FileKind::picture) pictures_.push_back(file);
-    if (kind == FileKind::nifti) try_reader(open_nifti, file);
-    if (kind == FileKind::nrrd) try_reader(open_nrrd, file);
-    if (kind == FileKind::metaimage) try_reader(open_metaimage, file);
+    if (is_grid(kind)) add_grid(kind, file);
   }
 
-  template <typename Open>
-  void try_reader(Open open, const fs::path& file) {
+  /// What has no name of a known format and was opened all the same was so for its mark.
+  FileKind kind_of(const fs::path& file) const {
+    const FileKind kind = kind_by_name(file);
+    if (kind != FileKind::none) return kind;
+    const bool marked = context_.given_up.contains(file) || has_dicom_magic(file);
+    return marked ? FileKind::dicom : FileKind::none;
+  }
+
+  VolumeSource grid_source(FileKind kind, const fs::path& file) const {
+    const auto open = kind == FileKind::nifti  ? open_nifti
+                      : kind == FileKind::nrrd ? open_nrrd
+                                               : open_metaimage;
+    return source_of(open(file, context_.root, context_.limits), context_);
+  }
+
+  /// For the harm that it may do, which ends this process.
+  void try_out(FileKind kind, const fs::path& file) const {
+    if (kind == FileKind::none || context_.opened.contains(file)) return;
     try {
-      listing_.volumes.push_back(source_of(open(file, context_.root, context_.limits), context_));
+      context_.look_into(file, [&] {
+        if (kind == FileKind::dicom) return !read_dicom_frames(file).empty();
+        if (kind == FileKind::picture) return open_image_file(file).pages > 0;
+        return !grid_source(kind, file).files.empty();
+      });
+    } catch (const Error&) {  // for the scan that lists it to say
+    }
+  }
+
+  void add_dicom(const fs::path& path) {
+    if (!context_.dicom_refused) {
+      add(find_dicom(dicom_, context_));
+    } else if (!dicom_.empty()) {
+      listing_.refused.push_back({path, *context_.dicom_refused});
+    }
+  }
+
+  void add_grid(FileKind kind, const fs::path& file) {
+    try {
+      listing_.volumes.push_back(context_.look_into(file, [&] { return grid_source(kind, file); }));
     } catch (const Error& error) {
       listing_.refused.push_back({file, reason_of(error)});
     }

@@ -22,7 +22,7 @@ class Reader {
   std::optional<std::string> text(const char* name) const {
     if (!object_.contains(name)) return std::nullopt;
     if (!object_[name].is_string()) refuse_field(name, "a text");
-    return printable(object_[name].get<std::string>());
+    return quoted_briefly(printable(object_[name].get<std::string>()));
   }
 
   template <std::size_t N>
@@ -54,14 +54,22 @@ class Reader {
   const Json& object_;
 };
 
+/// What nests deeper is built nowhere: a field is also printed, by recursion.
 Json parse(const std::filesystem::path& file) {
+  constexpr int kDeepestNesting = 4;
   constexpr std::size_t kLargestBytes = 65536;
   std::ifstream input(file, std::ios::binary);
   std::string text(kLargestBytes + 1, '\0');
   input.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(input.gcount()));
   if (text.size() > kLargestBytes) refuse(file, "the file is too long", "at most 64 KiB");
-  Json object = Json::parse(text, nullptr, false);
+  bool too_deep = false;
+  const auto is_shallow = [&](int depth, Json::parse_event_t, const Json&) {
+    too_deep = too_deep || depth > kDeepestNesting;
+    return depth <= kDeepestNesting;
+  };
+  Json object = Json::parse(text, is_shallow, false);
+  if (too_deep) refuse(file, "the file is nested too deeply", "lists in an object, no deeper");
   if (!object.is_object()) refuse(file, "the file is not usable", "a JSON object");
   return object;
 }
@@ -105,10 +113,17 @@ void read_rescale(const std::filesystem::path& file, const Json& object, Sidecar
 void warn_of_unknown(const Json& object, Sidecar& sidecar) {
   constexpr std::array kKnown{"title",         "modality", "spacing_mm", "origin_lps_mm",
                               "direction_lps", "rescale",  "units"};
+  constexpr std::size_t kMostNamed = 8;
+  std::size_t unknown = 0;
   for (const auto& [name, value] : object.items()) {
     if (std::find(kKnown.begin(), kKnown.end(), name) != kKnown.end()) continue;
-    sidecar.warnings.push_back("volume.json: the field " + printable(name) +
+    if (++unknown > kMostNamed) continue;
+    sidecar.warnings.push_back("volume.json: the field " + quoted_briefly(printable(name)) +
                                " is not known and was left out");
+  }
+  if (unknown > kMostNamed) {
+    sidecar.warnings.push_back("volume.json: so were " + std::to_string(unknown - kMostNamed) +
+                               " more fields");
   }
 }
 

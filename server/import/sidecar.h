@@ -23,7 +23,8 @@ struct Sidecar {
   std::vector<std::string> warnings;  ///< of fields that are not known
 };
 
-/// Throws Error naming the file and the field for anything that is not usable.
+/// Throws Error naming the file and the field for anything that is not usable, or nested deeper
+/// than its fields are.
 Sidecar read_sidecar(const std::filesystem::path& file);
 
 }  // namespace cutaway::reading

@@ -44,6 +44,15 @@ void require_axes(const std::filesystem::path& file, const SliceStack& stack) {
   }
 }
 
+void require_reach(const std::filesystem::path& file, glm::dvec3 position_mm) {
+  if (!is_finite(position_mm)) refuse(file, "a slice position is not a finite number");
+  if (is_within_reach(position_mm)) return;
+  refuse(file, "the volume lies too far from the patient's origin to be looked at",
+         fmt::format("at most {:g} m along each axis", kFarthestPosition_mm / 1000),
+         fmt::format("a corner at {:.6g}, {:.6g}, {:.6g} mm", position_mm.x, position_mm.y,
+                     position_mm.z));
+}
+
 /// Orthonormal; the sign of k follows the stack, so that a left-handed grid stays one.
 glm::dmat3 right_axes(const SliceStack& stack) {
   const glm::dvec3 i = glm::normalize(stack.i_axis);
@@ -182,9 +191,7 @@ GridPlan plan_grid(const std::filesystem::path& file, const SliceStack& stack,
   require_volume_extents(file, {stack.size_px, slices});
   require_spacing(file, stack.pixel_spacing_mm);
   require_axes(file, stack);
-  for (const auto& corner : stack.first_pixel_mm) {
-    if (!is_finite(corner)) refuse(file, "a slice position is not a finite number");
-  }
+  for (const auto& corner : stack.first_pixel_mm) require_reach(file, corner);
   const glm::dmat3 axes = right_axes(stack);
   GridPlan plan;
   plan.placements.resize(static_cast<std::size_t>(slices));
@@ -197,6 +204,9 @@ GridPlan plan_grid(const std::filesystem::path& file, const SliceStack& stack,
   const glm::ivec3 size = plan.geometry.size_voxels;
   checked_voxel_count(file, std::array<std::int64_t, 3>{size.x, size.y, size.z}, bytes_per_voxel,
                       limits);
+  const BoundingBox bounds = bounds_patient_mm(plan.geometry);
+  require_reach(file, bounds.minimum_mm);
+  require_reach(file, bounds.maximum_mm);
   return plan;
 }
 

@@ -37,7 +37,8 @@ struct GridPlan {
 /// uneven distances and gaps of up to four slices give a grid to resample to, and warnings that say
 /// so. Throws Error naming `file` where no such grid is right: spacing or direction that is not
 /// finite or not positive, rows and columns not at right angles, slices that coincide or run back,
-/// a larger gap, an output beyond the limit at `bytes_per_voxel`.
+/// a larger gap, a place farther from the origin than a scene's camera can be, an output beyond the
+/// limit at `bytes_per_voxel`.
 GridPlan plan_grid(const std::filesystem::path& file, const SliceStack& stack,
                    std::uint64_t bytes_per_voxel, const ImportLimits& limits);
 
@@ -47,8 +48,8 @@ SliceStack stack_of_affine(glm::ivec3 size_voxels, const glm::dmat3& steps_mm,
                            glm::dvec3 origin_mm);
 
 /// Linear interpolation within and between slices. Voxels that no slice covers get the smallest
-/// stored value: air in a CT.
+/// value: air in a CT. It is the largest stored number where `slope`, the file's, is negative.
 RawVoxels resample(const RawVoxels& slices, const SliceStack& stack, const GridPlan& plan,
-                   std::stop_token stop);
+                   double slope, std::stop_token stop);
 
 }  // namespace cutaway::reading

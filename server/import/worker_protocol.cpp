@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "import/refusal.h"
+
 namespace cutaway::reading {
 
 namespace {
@@ -63,10 +65,41 @@ VolumeGeometry geometry_from(const Json& json) {
   geometry.spacing_mm = vector_from(json.at("spacing"));
   geometry.origin_patient_mm = vector_from(json.at("origin"));
   if (glm::any(glm::lessThanEqual(geometry.spacing_mm, glm::dvec3(0.0)))) refuse_report("spacing");
+  if (!is_within_reach(geometry)) refuse_report("origin");
   return geometry;
 }
 
 }  // namespace
+
+NLOHMANN_JSON_SERIALIZE_ENUM(ScanTask, {{ScanTask::list, "list"},
+                                        {ScanTask::list_opened, "list_opened"},
+                                        {ScanTask::try_out, "try_out"}})
+
+Json to_json(const ScanJob& job) {
+  Json json = {{"scan", job.path.string()}, {"root", job.root.string()},
+               {"task", job.task},          {"volume_bytes", job.volume_bytes},
+               {"given_up", Json::array()}, {"opened", Json::array()}};
+  for (const auto& [file, reason] : job.given_up) {
+    json["given_up"].push_back({file.string(), reason});
+  }
+  for (const auto& file : job.opened) json["opened"].push_back(file.string());
+  if (job.dicom_refused) json["dicom_refused"] = *job.dicom_refused;
+  return json;
+}
+
+ScanJob scan_job_from(const Json& json) {
+  ScanJob job;
+  job.path = json.at("scan").get<std::string>();
+  job.root = json.at("root").get<std::string>();
+  job.volume_bytes = json.at("volume_bytes");
+  job.task = json.at("task");
+  for (const auto& file : json.at("given_up")) {
+    job.given_up.emplace(file.at(0).get<std::string>(), file.at(1));
+  }
+  for (auto& file : paths_from(json.at("opened"))) job.opened.insert(std::move(file));
+  if (json.contains("dicom_refused")) job.dicom_refused = json.at("dicom_refused");
+  return job;
+}
 
 Json to_json(const VolumeSource& source) {
   Json files = Json::array();
@@ -98,7 +131,8 @@ Listing listing_from(const Json& json) {
     if (listing.volumes.back().files.empty()) refuse_report("files");
   }
   for (const auto& refused : json.at("refused")) {
-    listing.refused.push_back({refused.at(0).get<std::string>(), refused.at(1)});
+    listing.refused.push_back(
+        {refused.at(0).get<std::string>(), quoted_briefly(refused.at(1), kLongestReason)});
   }
   return listing;
 }
@@ -131,7 +165,7 @@ VolumeHead volume_head_from(const Json& json) {
   head.volume.value_offset = finite_number(json.at("offset"));
   head.volume.value_range = {finite_number(json.at("range").at(0)),
                              finite_number(json.at("range").at(1))};
-  if (head.volume.value_scale == 0) refuse_report("scale");
+  if (head.volume.value_scale <= 0) refuse_report("scale");
   return head;
 }
 

@@ -4,7 +4,10 @@
 // over by the file it read.
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 
 #include "core/progress.h"
 #include "import/reader.h"
@@ -22,6 +25,23 @@ struct VolumeHead {
   bool is_float = false;
 };
 
+enum class ScanTask {
+  list,         ///< what there is
+  list_opened,  ///< of files that did no harm; the others are refused unopened
+  try_out,      ///< opens the others, and lists nothing
+};
+
+struct ScanJob {
+  std::filesystem::path path;
+  std::filesystem::path root;
+  std::uint64_t volume_bytes = 0;
+  ScanTask task = ScanTask::list;
+  std::map<std::filesystem::path, std::string> given_up;  ///< with the reason to say
+  std::set<std::filesystem::path> opened;                 ///< by an earlier child, without harm
+  std::optional<std::string> dicom_refused;               ///< no series are to be looked for
+};
+
+Json to_json(const ScanJob& job);
 Json to_json(const VolumeSource& source);
 Json to_json(const Listing& listing);
 Json to_json(const Error& error);
@@ -29,6 +49,7 @@ Json to_json(const VolumeHead& head);
 Json progress_report(LoadStage stage, double fraction);
 
 /// All throw nlohmann::json::exception or Error for what is not in the form of their counterpart.
+ScanJob scan_job_from(const Json& json);
 VolumeSource source_from(const Json& json);
 Listing listing_from(const Json& json);
 Error error_from(const Json& json);

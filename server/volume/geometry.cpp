@@ -38,6 +38,15 @@ BoundingBox bounds_patient_mm(const VolumeGeometry& geometry) {
   return bounds;
 }
 
+bool is_within_reach(glm::dvec3 position_mm) {
+  return glm::all(glm::lessThanEqual(glm::abs(position_mm), glm::dvec3(kFarthestPosition_mm)));
+}
+
+bool is_within_reach(const VolumeGeometry& geometry) {
+  const BoundingBox bounds = bounds_patient_mm(geometry);
+  return is_within_reach(bounds.minimum_mm) && is_within_reach(bounds.maximum_mm);
+}
+
 double diagonal_mm(const VolumeGeometry& geometry) {
   return glm::length(glm::dvec3(geometry.size_voxels - 1) * geometry.spacing_mm);
 }

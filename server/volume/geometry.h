@@ -6,6 +6,10 @@
 
 namespace cutaway {
 
+/// Of a coordinate from the patient's origin. A scene's camera and lens have the same limit
+/// (scene.schema.json): what lies beyond it could never be looked at.
+inline constexpr double kFarthestPosition_mm = 100'000.0;
+
 /// A regular grid in patient space: DICOM's LPS (x to the patient's left, y to posterior, z to
 /// superior), millimetres. Voxel centres are at integer indices. Axes are orthogonal; the grid may
 /// be oblique, anisotropic and left-handed.
@@ -29,6 +33,12 @@ glm::dmat4 patient_to_index(const VolumeGeometry& geometry);
 
 /// Axis-aligned patient-space bounds of the voxel centres.
 BoundingBox bounds_patient_mm(const VolumeGeometry& geometry);
+
+/// Whether each coordinate is a number within kFarthestPosition_mm.
+bool is_within_reach(glm::dvec3 position_mm);
+
+/// Whether all voxel centres are.
+bool is_within_reach(const VolumeGeometry& geometry);
 
 /// Length of the grid's diagonal between the centres of opposite corner voxels.
 double diagonal_mm(const VolumeGeometry& geometry);

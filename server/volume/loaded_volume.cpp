@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/check.h"
+
 namespace cutaway {
 
 namespace {
@@ -23,6 +25,7 @@ constexpr double kMinMaxShare = 0.8;  ///< of the stage's progress; the histogra
 std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume,
                                                          const ProgressSink& progress,
                                                          const std::stop_token& stop) {
+  check(volume.value_scale > 0.0, "stored values rise with the physical ones");
   const ProgressSink share = [&](LoadStage stage, double fraction) {
     if (progress) progress(stage, fraction * kMinMaxShare);
   };

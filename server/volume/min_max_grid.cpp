@@ -70,10 +70,8 @@ void scan_slab(const Volume& volume, std::span<const T> voxels, int brick_k, Min
     scan.fold_rows(brick_j, brick_k);
     for (int brick_i = 0; brick_i < grid.size_bricks.x; ++brick_i, ++brick) {
       const auto [lowest, highest] = scan.extremes(brick_i);
-      const double a = double(lowest) * volume.value_scale + volume.value_offset;
-      const double b = double(highest) * volume.value_scale + volume.value_offset;
-      grid.minimum[brick] = round_down(std::min(a, b));
-      grid.maximum[brick] = round_up(std::max(a, b));
+      grid.minimum[brick] = round_down(lowest * volume.value_scale + volume.value_offset);
+      grid.maximum[brick] = round_up(highest * volume.value_scale + volume.value_offset);
     }
   }
 }

@@ -30,8 +30,9 @@ struct VolumeDescription {
 using Voxels = std::variant<std::vector<std::uint16_t>, std::vector<float>>;
 
 /// Physical value = stored * value_scale + value_offset: Hounsfield units for CT. Rescale slope and
-/// intercept of the file are in there exactly once. Every value is finite. Immutable after loading,
-/// so shared between threads.
+/// intercept of the file are in there exactly once. `value_scale` is above 0, whatever the file's
+/// slope: who compares stored values, or takes a gradient of them, may forget the rescale. Every
+/// value is finite. Immutable after loading, so shared between threads.
 struct Volume {
   VolumeDescription description;
   VolumeGeometry geometry;

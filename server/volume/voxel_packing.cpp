@@ -35,6 +35,22 @@ std::optional<float> to_finite_float(T value, double slope, double intercept) {
   return std::abs(physical) <= kLargest ? std::optional(float(physical)) : std::nullopt;
 }
 
+/// What stored floats are multiples of: shaders square their differences, and far from 1 the
+/// squares overflow or vanish. A power of two costs no digit.
+double float_scale(double largest_magnitude) {
+  constexpr double kSmallestHarmless = 1e-3;
+  constexpr double kLargestHarmless = 1e12;
+  const bool harmless =
+      largest_magnitude >= kSmallestHarmless && largest_magnitude <= kLargestHarmless;
+  if (harmless || largest_magnitude == 0.0) return 1.0;
+  return std::exp2(std::ilogb(largest_magnitude));
+}
+
+void divide(std::vector<float>& stored, double scale) {
+  if (scale == 1.0) return;
+  for (float& value : stored) value = float(value / scale);
+}
+
 template <typename T>
 PackedVoxels pack_float(std::span<const T> values, double slope, double intercept) {
   PackedVoxels packed;
@@ -54,6 +70,8 @@ PackedVoxels pack_float(std::span<const T> values, double slope, double intercep
         stored.begin(), stored.end(), [](float v) { return std::isnan(v); }, smallest);
   }
   packed.value_range = {smallest, largest};
+  packed.value_scale = float_scale(std::max(std::abs(smallest), std::abs(largest)));
+  divide(stored, packed.value_scale);
   packed.voxels = std::move(stored);
   return packed;
 }
@@ -64,18 +82,23 @@ std::uint32_t distance_from(T smallest, T value) {
   return std::uint32_t(value) - std::uint32_t(smallest);
 }
 
+/// Counted from the end that is physically smallest, so that stored values rise with those that
+/// they mean.
 template <typename T>
 PackedVoxels pack_uint16(std::span<const T> values, T smallest, T largest, double slope,
                          double intercept) {
+  const bool falls = slope < 0.0;
   std::vector<std::uint16_t> stored(values.size());
-  std::transform(values.begin(), values.end(), stored.begin(),
-                 [smallest](T value) { return std::uint16_t(distance_from(smallest, value)); });
-  const double offset = double(smallest) * slope + intercept;
-  const double last = double(distance_from(smallest, largest)) * slope + offset;
+  std::transform(values.begin(), values.end(), stored.begin(), [=](T value) {
+    return std::uint16_t(falls ? distance_from(value, largest) : distance_from(smallest, value));
+  });
+  const double scale = std::abs(slope);
+  const double offset = double(falls ? largest : smallest) * slope + intercept;
+  const double last = double(distance_from(smallest, largest)) * scale + offset;
   return {.voxels = std::move(stored),
-          .value_scale = slope,
+          .value_scale = scale,
           .value_offset = offset,
-          .value_range = {std::min(offset, last), std::max(offset, last)}};
+          .value_range = {offset, last}};
 }
 
 }  // namespace
@@ -86,7 +109,10 @@ PackedVoxels pack_voxels(std::span<const T> values, double slope, double interce
   if (values.empty()) refuse_without_values(0);
   if constexpr (std::is_integral_v<T>) {
     const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
-    if (distance_from(*smallest, *largest) <= std::numeric_limits<std::uint16_t>::max()) {
+    const bool all_finite =
+        to_finite_float(*smallest, slope, intercept) && to_finite_float(*largest, slope, intercept);
+    if (all_finite &&
+        distance_from(*smallest, *largest) <= std::numeric_limits<std::uint16_t>::max()) {
       return pack_uint16(values, *smallest, *largest, slope, intercept);
     }
   }

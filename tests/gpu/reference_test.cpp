@@ -2,9 +2,12 @@
 // lens cap.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/analytic_volumes.h"
 #include "support/gpu_harness.h"
 #include "volume/phantoms.h"
+#include "volume/voxel_packing.h"
 
 namespace cutaway::test {
 namespace {
@@ -135,6 +138,50 @@ TEST(Reference, TissueThatTheBoxCutsShowsAFlatFace) {
   document["camera"] = {{"eye_mm", {60, -200, 50}}, {"target_mm", {0, 0, 0}}, {"up", {0, 0, 1}}};
   const Scene scene = scene_for(document, volume, kViewport);
   expect_like_reference("box-face", scene, volume, settings_for(scene), kWholePicture);
+}
+
+BytePicture picture_of(const Json& document, Volume volume) {
+  const auto loaded = load(std::move(volume));
+  const Scene scene = scene_for(document, loaded, kViewport);
+  return GpuHarness::instance().render(scene, loaded, settings_for(scene));
+}
+
+/// The shells in 16 bits, as a file of that slope stores them.
+Volume shells_with_slope(int slope) {
+  Volume volume = shells_volume(centred_geometry({90, 90, 45}, {1.0, 1.0, 2.0}));
+  std::vector<std::int16_t> stored;
+  for (const float hu : std::get<std::vector<float>>(volume.voxels)) {
+    stored.push_back(static_cast<std::int16_t>(slope * static_cast<int>(hu)));
+  }
+  PackedVoxels packed = pack_voxels(std::span<const std::int16_t>(stored), slope, 0.0);
+  volume.voxels = std::move(packed.voxels);
+  volume.value_scale = packed.value_scale;
+  volume.value_offset = packed.value_offset;
+  volume.value_range = packed.value_range;
+  return volume;
+}
+
+TEST(Reference, TheSignOfTheRescaleDoesNotShow) {
+  const BytePicture plain = picture_of(flagship(), shells_with_slope(1));
+  EXPECT_EQ(picture_of(flagship(), shells_with_slope(-1)).rgba, plain.rgba);
+  const auto negative = load(shells_with_slope(-1));
+  const Scene scene = scene_for(flagship(), negative, kViewport);
+  expect_like_reference("negative-slope", scene, negative, settings_for(scene), kWholePicture);
+}
+
+/// Values that no Hounsfield scale knows: the picture is that of the same values in a usual range.
+TEST(Reference, ValuesFarFromOneLookAsOthersDo) {
+  const auto picture = [](double factor) {
+    const auto volume = sampled_volume(
+        centred_geometry(60), [factor](glm::dvec3 x) { return factor * (64.0 - glm::length(x)); });
+    Json document = flagship();
+    document["context"]["surface"]["iso_value"] = factor * 36.0;
+    document["focus"]["surface"]["iso_value"] = factor * 46.0;
+    return picture_of(document, volume);
+  };
+  const BytePicture usual = picture(1.0);
+  EXPECT_EQ(picture(std::exp2(100)).rgba, usual.rgba);
+  EXPECT_EQ(picture(std::exp2(-60)).rgba, usual.rgba);
 }
 
 TEST(Reference, SupersampledStillAndReducedPicture) {

@@ -65,6 +65,8 @@ Volume sampled_volume(const VolumeGeometry& geometry,
                           .warnings = {}},
           .geometry = geometry,
           .voxels = std::move(packed.voxels),
+          .value_scale = packed.value_scale,
+          .value_offset = packed.value_offset,
           .value_range = packed.value_range};
 }
 

@@ -23,7 +23,8 @@ glm::dmat3 oblique_direction();
 /// The i and k axes run against x and z, and i and j are exchanged: determinant -1.
 glm::dmat3 flipped_direction();
 
-// Positions are patient space, mm; voxels are floats, scale 1, offset 0; modality CT, units HU.
+// Positions are patient space, mm; voxels are floats, as pack_voxels stores them; modality CT,
+// units HU.
 
 /// f = value_at_centre - distance from `centre_mm`: iso-value a is the sphere of radius
 /// value_at_centre - a.

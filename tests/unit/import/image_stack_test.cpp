@@ -178,6 +178,45 @@ TEST(ImageStack, ABrokenSidecarIsNamed) {
   }
 }
 
+std::string repeated(const std::string& text, std::size_t times) {
+  std::string all;
+  for (std::size_t i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+/// However long, and however deep, what the file says is.
+TEST(ImageStack, ASidecarsRefusalIsShort) {
+  const std::string deep = repeated("[", 30000) + repeated("]", 30000);
+  const std::pair<std::string, const char*> broken[]{
+      {R"({"spacing_mm": [)" + repeated("1,", 30000) + "1]}", "spacing_mm"},
+      {R"({"units": ")" + repeated("\u00e9", 10000) + "\"}", "units"},
+      {R"({"spacing_mm": )" + deep + "}", "nested too deeply"},
+      {R"({"unknown": )" + deep + "}", "nested too deeply"},
+      {deep, "nested too deeply"}};
+  for (const auto& [text, reason] : broken) {
+    TemporaryFolder folder;
+    write_stack<std::uint8_t>(folder.path(), "s{}.tif", 2, spec_of<std::uint8_t>(1));
+    write_file(folder / "volume.json", text);
+    const std::string refusal = only_refusal(folder.path());
+    EXPECT_NE(refusal.find(reason), std::string::npos) << refusal;
+    EXPECT_LT(refusal.size(), 300U) << refusal;
+  }
+}
+
+TEST(ImageStack, WhatASidecarSaysTooMuchIsShortToo) {
+  TemporaryFolder folder;
+  write_stack<std::uint8_t>(folder.path(), "s{}.tif", 2, spec_of<std::uint8_t>(1));
+  std::string fields = "\"" + repeated("name", 5000) + "\": 1";
+  for (int i = 0; i < 1000; ++i) fields += fmt::format(", \"unknown{}\": 1", i);
+  write_file(folder / "volume.json", R"({"spacing_mm": [1, 1, 1], "title": ")" +
+                                         repeated("x", 9000) + "\", " + fields + "}");
+  const VolumeDescription description = only_source(folder.path(), folder.path()).description;
+  EXPECT_LT(description.title.size(), 110U);
+  EXPECT_EQ(description.warnings.size(), 9U);
+  EXPECT_TRUE(has_warning(description, "so were 993 more fields"));
+  for (const auto& warning : description.warnings) EXPECT_LT(warning.size(), 200U);
+}
+
 TEST(ImageStack, ReducesColourAndSaysSo) {
   TemporaryFolder folder;
   for (int k = 0; k < 2; ++k) {

@@ -122,5 +122,19 @@ TEST(Nifti, ShearedGridIsResampledAndSaysSo) {
   expect_ramp(volume, 1e-2, 0.4);
 }
 
+/// What no slice covers is air, also where air is the largest stored number.
+TEST(Nifti, ShearedGridOfANegativeSlopeHasAirAroundIt) {
+  NiftiFile nifti{.dim = {12, 12, 8}, .slope = -1};
+  nifti.s_steps = glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0.6, 2);
+  std::string voxels = nifti.ramp_voxels();
+  constexpr std::size_t kSignByte = 3;
+  for (std::size_t i = kSignByte; i < voxels.size(); i += sizeof(float)) {
+    voxels[i] = static_cast<char>(voxels[i] ^ '\x80');
+  }
+  TemporaryFolder folder;
+  write_file(folder / "negated.nii", nifti.with(voxels));
+  expect_ramp(read_only_volume(folder.path()), 1e-2, 0.4);
+}
+
 }  // namespace
 }  // namespace cutaway::test

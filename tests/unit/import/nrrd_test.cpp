@@ -223,6 +223,31 @@ TEST(Nrrd, TakesSpacingsWithoutSpace) {
   EXPECT_TRUE(has_warning(source.description, "no physical geometry"));
 }
 
+std::string placed(const std::string& directions, const std::string& origin) {
+  return "NRRD0004\ntype: uchar\ndimension: 3\nspace: LPS\nsizes: 2 2 2\nspace directions: " +
+         directions + "\nspace origin: " + origin + "\nencoding: raw\n\n12345678";
+}
+
+/// No camera could be put in front of it.
+TEST(Nrrd, AVolumeFarFromThePatientIsRefusedInWords) {
+  const std::string unit = "(1,0,0) (0,1,0) (0,0,1)";
+  const std::pair<std::string, std::string> places[]{{unit, "(5e6,0,0)"},
+                                                     {unit, "(0,-5e6,0)"},
+                                                     {unit, "(0,0,1e300)"},
+                                                     {unit, "(99999.5,0,0)"},
+                                                     {"(1,0,0) (0,1,0) (0,0,-150000)", "(0,0,0)"}};
+  for (const auto& [directions, origin] : places) {
+    TemporaryFolder folder;
+    write_file(folder / "a.nrrd", placed(directions, origin));
+    const std::string reason = only_refusal(folder.path());
+    EXPECT_NE(reason.find("too far from the patient's origin"), std::string::npos) << reason;
+    EXPECT_NE(reason.find("expected at most 100 m along each axis"), std::string::npos) << reason;
+  }
+  TemporaryFolder folder;
+  write_file(folder / "a.nrrd", placed(unit, "(99999,-100000,0)"));
+  EXPECT_EQ(read_failure(only_source(folder.path(), folder.path())), "");
+}
+
 TEST(Nrrd, TakesSpacingsInTheirUnits) {
   TemporaryFolder folder;
   write_file(folder / "a.nrrd",

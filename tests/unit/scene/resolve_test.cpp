@@ -157,10 +157,22 @@ TEST(Resolve, OfAVolumeBeyondTheLimitsIsStillALegalDocument) {
   facts.bounds_minimum_mm = glm::dvec3(-9e4);
   facts.bounds_maximum_mm = glm::dvec3(9e4);
   facts.diagonal_mm = 3e5;
-  facts.outer_iso_value = -1e30;
-  facts.inner_iso_value = 1e30;
+  facts.outer_iso_value = -1e39;
+  facts.inner_iso_value = 1e39;
   const Scene scene = resolve_scene({{"camera", {{"vertical_fov_degrees", 1}}}}, facts, {64, 64});
   EXPECT_NO_THROW(validate_scene_document(scene_document(scene)));
+}
+
+TEST(Resolve, ChoosesIsoValuesOfAnySizeThatVoxelsHave) {
+  for (const double value : {-2.5e30, 4e6, 1e12, 3e38}) {
+    VolumeFacts facts = ball_facts();
+    facts.outer_iso_value = value;
+    facts.inner_iso_value = value;
+    const Scene scene = resolve_scene(Json::object(), facts, {64, 64});
+    EXPECT_EQ(scene.context.surface.band.lower, value);
+    EXPECT_EQ(scene.focus.surface.band.lower, value);
+    EXPECT_EQ(resolve_scene(scene_document(scene), ball_facts(), {64, 64}).focus, scene.focus);
+  }
 }
 
 TEST(Resolve, ReadsThePictureSizeOfADocument) {

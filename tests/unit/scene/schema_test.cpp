@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "scene/modules.h"
+#include "volume/geometry.h"
 
 namespace cutaway {
 namespace {
@@ -55,6 +56,16 @@ TEST(Schema, TellsTheRangeOfANumber) {
   const NumberRange range = number_range("scene", "/properties/lens/properties/radius_mm");
   EXPECT_EQ(range.minimum, 0.0);
   EXPECT_EQ(range.maximum, 2000.0);
+}
+
+/// Import refuses volumes by the one number, cameras and lenses are held to the other.
+TEST(Schema, PositionsReachAsFarAsVolumesMay) {
+  for (const char* place :
+       {"camera/properties/eye_mm", "camera/properties/target_mm", "lens/properties/centre_mm"}) {
+    const NumberRange range = number_range("scene", std::string("/properties/") + place + "/items");
+    EXPECT_EQ(range.minimum, -kFarthestPosition_mm);
+    EXPECT_EQ(range.maximum, kFarthestPosition_mm);
+  }
 }
 
 const Json& found(const Json& list, const char* name) {

@@ -80,9 +80,9 @@ TEST_P(EveryGrid, BoundsAreThoseOfTheBricksOwnVoxels) {
 INSTANTIATE_TEST_SUITE_P(MinMaxGrid, EveryGrid,
                          testing::Values(GridCase{{33, 40, 25}, 8, false, 1.0},
                                          GridCase{{32, 18, 9}, 8, true, 0.1},
-                                         GridCase{{31, 50, 12}, 4, false, -0.31},
+                                         GridCase{{31, 50, 12}, 4, false, 0.31},
                                          GridCase{{5, 1, 20}, 8, false, 1.0},
-                                         GridCase{{19, 20, 21}, 3, true, -2.0}));
+                                         GridCase{{19, 20, 21}, 3, true, 2.0}));
 
 TEST(MinMaxGrid, CountsBricksOfCellsNotVoxels) {
   const auto bricks = [](glm::ivec3 size) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "core/error.h"
@@ -59,6 +60,48 @@ TEST(PackVoxels, AppliesTheRescaleOnceAndOrdersTheRange) {
   EXPECT_EQ(physical(values, -2.0, 5.0), (std::vector<double>{25.0, 5.0, -35.0}));
   EXPECT_EQ(packed.value_range, (ValueRange{-35.0, 25.0}));
   EXPECT_EQ(physical(std::vector<float>{1.0f, 2.0f}, 10.0, 1.0), (std::vector<double>{11.0, 21.0}));
+}
+
+/// Stored values are compared, and gradients are taken of them, without a look at the scale.
+TEST(PackVoxels, ANegativeSlopeGivesTheSameAsTheValuesThatItMeans) {
+  const std::vector<std::int16_t> values{-10, 0, 20, 32767};
+  std::vector<std::int16_t> negated;
+  for (const auto v : values) negated.push_back(std::int16_t(-v));
+  const PackedVoxels plain = pack_voxels(std::span<const std::int16_t>(values), 1.0, 7.0);
+  const PackedVoxels turned = pack_voxels(std::span<const std::int16_t>(negated), -1.0, 7.0);
+  EXPECT_EQ(turned.value_scale, 1.0);
+  EXPECT_EQ(turned.value_offset, -3.0);
+  EXPECT_EQ(turned.voxels, plain.voxels);
+  EXPECT_EQ(turned.value_range, plain.value_range);
+  EXPECT_EQ(physical(negated, -1.0, 7.0), (std::vector<double>{-3.0, 7.0, 27.0, 32774.0}));
+}
+
+TEST(PackVoxels, EachSlopeLeavesAScaleAboveZero) {
+  const std::vector<std::uint8_t> bytes{0, 100, 255};
+  const std::vector<float> floats{-1.0f, 0.5f};
+  for (const double slope : {-3.0, -0.001, 0.001, 3.0}) {
+    EXPECT_GT(pack_voxels(std::span<const std::uint8_t>(bytes), slope).value_scale, 0.0);
+    EXPECT_GT(pack_voxels(std::span<const float>(floats), slope).value_scale, 0.0);
+  }
+}
+
+TEST(PackVoxels, FloatsFarFromOneAreStoredNearItWithoutLoss) {
+  for (const float factor : {1e-30f, 1e-6f, 1e20f, 1e38f}) {
+    const std::vector<float> values{-2.0f * factor, 0.3f * factor, 3.0f * factor};
+    const PackedVoxels packed = pack_voxels(std::span<const float>(values));
+    EXPECT_EQ(physical(values), (std::vector<double>(values.begin(), values.end())));
+    EXPECT_EQ(packed.value_range, (ValueRange{values.front(), values.back()}));
+    for (const float stored : std::get<std::vector<float>>(packed.voxels)) {
+      EXPECT_LE(std::abs(stored), 2.0f);
+    }
+  }
+}
+
+TEST(PackVoxels, ARescaleBeyondFloatsIsNotFinite) {
+  const std::vector<std::int16_t> values{0, 1};
+  const PackedVoxels packed = pack_voxels(std::span<const std::int16_t>(values), 1e300);
+  EXPECT_EQ(packed.replaced_non_finite, 1u);
+  EXPECT_EQ(packed.value_range, (ValueRange{0.0, 0.0}));
 }
 
 TEST(PackVoxels, ReplacesWhatIsNotFiniteByTheSmallest) {
