@@ -79,23 +79,6 @@ TEST(ToneShading, TheLitShareOfTheDiscFollowsTheLightsAngle) {
   }
 }
 
-TEST(ToneShading, FollowsItsTable) {
-  struct Row {
-    double ts;
-    std::array<double, 6> v;  ///< at u = 0, 1/4, just below 1/2, 1/2, 3/4, 1
-  };
-  const std::array<Row, 4> table{Row{0.0, {0, 0, 0, 1, 1, 1}}, Row{0.1, {0, .05, .10, .90, .95, 1}},
-                                 Row{0.25, {0, .125, .25, .75, .875, 1}},
-                                 Row{0.5, {0, .25, .50, .50, .75, 1}}};
-  const std::array<double, 6> u{0.0, 0.25, 0.5 - 1e-12, 0.5, 0.75, 1.0};
-  for (const Row& row : table) {
-    for (std::size_t i = 0; i < u.size(); ++i) {
-      EXPECT_NEAR(reference::tone_position(u[i], 2.0 * row.ts), row.v[i], 1e-9)
-          << row.ts << " at " << u[i];
-    }
-  }
-}
-
 class EveryShading : public testing::TestWithParam<const char*> {};
 
 TEST_P(EveryShading, IsTheReferencesOnTheExactNormal) {
@@ -141,7 +124,11 @@ TEST(GoochShading, WithItsConstantsIsTheToneShaderBetweenItsWarmAndCoolTones) {
   const Scene same = sphere_scene(tone, {-0.5, 0.7, 0.5});
   GpuHarness& gpu = GpuHarness::instance();
   const BytePicture picture = gpu.render(gooch, sphere(), settings_for(gooch));
-  EXPECT_LE(compare(picture, gpu.render(same, sphere(), settings_for(same))).maximum, 1);
+  const PictureDifference difference =
+      compare(picture, gpu.render(same, sphere(), settings_for(same)));
+  // Bit for bit but for 0.2 * 0.6, which in floats is not 0.12: seldom does that turn a byte.
+  EXPECT_LE(difference.maximum, 1);
+  EXPECT_LE(difference.mean, 1e-4);
 }
 
 TEST(GoochShading, IsWarmTowardsTheLightAndCoolAwayFromIt) {

@@ -22,6 +22,7 @@ BytePicture GpuHarness::render(const Scene& scene,
   GpuVolume gpu_volume(volume, context_->max_3d_texture_size());
   gpu_volume.upload_rest();
   pipeline_.render(view_, scene, gpu_volume, settings);
+  shown_ = volume;
   gl::PixelReadback readback;
   FramePipeline::start_readback(view_, PixelLayout::rgba, readback);
   return {settings.picture_size_px, std::move(readback.finish().at(0))};

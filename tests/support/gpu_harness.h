@@ -29,6 +29,8 @@ class GpuHarness {
   std::unique_ptr<gl::Context> context_;
   FramePipeline pipeline_;
   ViewState view_;
+  /// The view knows its volume by its address, which must not be another's meanwhile.
+  std::shared_ptr<const LoadedVolume> shown_;
 };
 
 std::shared_ptr<const LoadedVolume> load(Volume volume);

@@ -1,0 +1,143 @@
+// The border that a lens cuts is no outline of the anatomy: no line may be drawn along it, all the
+// way round.
+#include <gtest/gtest.h>
+
+#include "scene/styles.h"
+#include "support/analytic_volumes.h"
+#include "support/gpu_harness.h"
+#include "volume/phantoms.h"
+
+namespace cutaway::test {
+namespace {
+
+constexpr int kRays = 2;  ///< a pixel each way, as stills have
+constexpr glm::ivec2 kSize{240, 200};
+
+/// How many of a pixel's rays a branch holds in the view that was drawn last.
+class Held {
+ public:
+  explicit Held(BranchIndex branch)
+      : surface_(FramePipeline::read_surface(GpuHarness::instance().view(), branch)) {}
+
+  int rays(glm::ivec2 pixel) const {
+    int held = 0;
+    for (int i = 0; i < kRays * kRays; ++i) {
+      const glm::ivec2 at = pixel * kRays + glm::ivec2(i % kRays, i / kRays);
+      held += surface_[static_cast<std::size_t>(at.y) * kSize.x * kRays + at.x].w >= 0.0F ? 1 : 0;
+    }
+    return held;
+  }
+
+  bool all_round(glm::ivec2 pixel, int reach) const {
+    for (int y = -reach; y <= reach; ++y) {
+      for (int x = -reach; x <= reach; ++x) {
+        if (rays(pixel + glm::ivec2(x, y)) < kRays * kRays) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  std::vector<glm::vec4> surface_;
+};
+
+struct Rendered {
+  BytePicture picture;
+  Held focus;
+  Held context;
+};
+
+Rendered render(const Json& document, const std::shared_ptr<const LoadedVolume>& volume) {
+  const Scene scene = scene_for(document, volume, {kSize.x, kSize.y});
+  RenderSettings settings = settings_for(scene);
+  settings.supersampling = kRays;
+  BytePicture picture = GpuHarness::instance().render(scene, volume, settings);
+  return {std::move(picture), Held(kFocus), Held(kContext)};
+}
+
+/// What silhouettes draw, pixel by pixel: where the branch goes on all round in the anatomy, and
+/// where it ends.
+struct Lines {
+  int rim = 0;          ///< pixels of the branch beside which it ends though the anatomy goes on
+  int along_rim = 0;    ///< pixels that got darker where the anatomy goes on
+  int at_outlines = 0;  ///< the others that got darker
+};
+
+Lines lines_of(const BytePicture& with_lines, const BytePicture& without, const Held& held,
+               const Held& anatomy) {
+  Lines lines;
+  for (int y = 3; y < kSize.y - 3; ++y) {
+    for (int x = 3; x < kSize.x - 3; ++x) {
+      const glm::ivec2 pixel(x, y);
+      const bool goes_on = anatomy.all_round(pixel, 2);
+      const bool is_darker = glm::any(glm::lessThan(with_lines.rgb(pixel), without.rgb(pixel)));
+      if (is_darker) ++(goes_on ? lines.along_rim : lines.at_outlines);
+      if (goes_on && held.rays(pixel) > 0 && !held.all_round(pixel, 1)) ++lines.rim;
+    }
+  }
+  return lines;
+}
+
+const std::shared_ptr<const LoadedVolume>& head() {
+  static const auto volume = load(make_phantom({PhantomKind::head, 128}, {}, {}));
+  return volume;
+}
+
+/// The flagship with its lines, with or without silhouettes.
+Json flagship(bool silhouettes, glm::dvec3 lens_mm, double radius_mm) {
+  Json document = style("flagship").scene;
+  for (Json& filter : document["focus"]["filters"]) {
+    if (filter.at("name") == "sobel") filter["silhouettes"] = silhouettes;
+  }
+  document["lens"]["centre_mm"] = {lens_mm.x, lens_mm.y, lens_mm.z};
+  document["lens"]["radius_mm"] = radius_mm;
+  return document;
+}
+
+TEST(LensRim, OfTheFlagshipsFocusHasNoLineWhereTheFocusGoesOn) {
+  const Lens placed = scene_for(style("flagship").scene, head(), {kSize.x, kSize.y}).lens;
+  for (const double factor : {0.6, 0.8, 1.0}) {
+    const double radius_mm = factor * placed.radius_mm;
+    const Rendered on = render(flagship(true, placed.centre_mm, radius_mm), head());
+    const Rendered off = render(flagship(false, placed.centre_mm, radius_mm), head());
+    // Four pixels larger: where it holds the focus all round a pixel, the anatomy has no border.
+    const Rendered larger = render(flagship(true, placed.centre_mm, radius_mm + 4.0), head());
+    const Lines lines = lines_of(on.picture, off.picture, on.focus, larger.focus);
+    EXPECT_EQ(lines.along_rim, 0) << radius_mm;
+    EXPECT_GT(lines.rim, 50) << radius_mm;
+    EXPECT_GT(lines.at_outlines, 50) << radius_mm;
+  }
+}
+
+/// A ball as context, and a lens over its limb that holds nothing.
+Json bitten_ball(bool silhouettes, const char* lens_mode, double lens_y_mm) {
+  return {{"camera",
+           {{"projection", "orthographic"},
+            {"eye_mm", {0, -200, 0}},
+            {"target_mm", {0, 0, 0}},
+            {"up", {0, 0, 1}},
+            {"view_height_mm", 100}}},
+          {"context",
+           {{"surface", {{"iso_value", 0}}},
+            {"filters", {{{"name", "sobel"}, {"silhouettes", silhouettes}}}}}},
+          {"focus", {{"surface", {{"iso_value", 1000}}}}},
+          {"background", {{"colour", {0.9, 0.9, 0.9}}}},
+          {"lens", {{"mode", lens_mode}, {"centre_mm", {40, lens_y_mm, 0}}, {"radius_mm", 25}}}};
+}
+
+TEST(LensRim, OfTheContextHasNoLineAlongTheBiteThatTheLensTakesOfALimb) {
+  const auto ball = load(sphere_volume(centred_geometry(96), 40.0));
+  // In the plane of the limb the bite goes to the background; before it, to the cavity's wall.
+  for (const double lens_y_mm : {0.0, -10.0}) {
+    const Rendered on = render(bitten_ball(true, "cutaway", lens_y_mm), ball);
+    const Rendered off = render(bitten_ball(false, "cutaway", lens_y_mm), ball);
+    const Rendered whole = render(bitten_ball(true, "none", lens_y_mm), ball);
+    const Lines lines = lines_of(on.picture, off.picture, on.context, whole.context);
+    EXPECT_EQ(lines.along_rim, 0) << lens_y_mm;
+    EXPECT_GT(lines.rim, 50) << lens_y_mm;
+    EXPECT_GT(lines.at_outlines, 300) << lens_y_mm;
+  }
+}
+
+}  // namespace
+}  // namespace cutaway::test
