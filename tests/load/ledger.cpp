@@ -25,6 +25,8 @@ void Ledger::arrived(const FrameHeader& frame, std::size_t bytes, double at_s) {
   if (!record_.first_frame_s) record_.first_frame_s = at_s;
   FrameSample sample{.at_s = at_s,
                      .latency_ms = {},
+                     .render_ms = 1e-3F * static_cast<float>(frame.render_us),
+                     .encode_ms = 1e-3F * static_cast<float>(frame.encode_us),
                      .bytes = static_cast<std::uint32_t>(bytes),
                      .still = frame.still,
                      .moving = moving(at_s)};

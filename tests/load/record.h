@@ -11,6 +11,8 @@ namespace cutaway::load {
 struct FrameSample {
   double at_s = 0.0;                ///< arrival
   std::optional<float> latency_ms;  ///< of an interactive frame that shows a new input
+  float render_ms = 0.0F;           ///< the server's, from the header
+  float encode_ms = 0.0F;           ///< the same
   std::uint32_t bytes = 0;
   bool still = false;
   bool moving = false;  ///< it arrived while the client moved something

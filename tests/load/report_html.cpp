@@ -63,6 +63,8 @@ void write_together(std::ostream& out, const Summary& all) {
         {spread_row("input to frame, ms", all.latency_ms),
          spread_row("time to first frame, s", all.first_frame_s),
          spread_row("last input to still, s", all.still_s),
+         spread_row("server's rendering, ms", all.render_ms),
+         spread_row("server's encoding, ms", all.encode_ms),
          spread_row("bytes a frame", all.bytes_per_frame),
          spread_row("load client's own lag, ms", all.input_lag_ms)});
 }

@@ -54,6 +54,8 @@ Json together(const Summary& all) {
           {"first_frame_s", spread(all.first_frame_s)},
           {"clients_without_frame", all.without_frame},
           {"still_s", spread(all.still_s)},
+          {"render_ms", spread(all.render_ms)},
+          {"encode_ms", spread(all.encode_ms)},
           {"bytes_per_frame", spread(all.bytes_per_frame)},
           {"bytes_per_second", all.bytes_per_second},
           {"errors", all.errors},

@@ -46,6 +46,8 @@ void print_together(std::ostream& out, const Summary& all) {
   table.spread("input to frame, ms", all.latency_ms);
   table.spread("time to first frame, s", all.first_frame_s);
   table.spread("last input to still, s", all.still_s);
+  table.spread("server's rendering, ms", all.render_ms);
+  table.spread("server's encoding, ms", all.encode_ms);
   table.spread("bytes a frame", all.bytes_per_frame);
   table.spread("load client's own lag, ms", all.input_lag_ms);
   table.row("bytes a second", {figure(all.bytes_per_second)});

@@ -179,22 +179,39 @@ void add_counts(Summary& all) {
   all.first_frame_s = distribution(std::move(first_frames));
 }
 
-void add_samples(const Script& script, const RunOutcome& outcome, Summary& all) {
+void add_latencies(const Script& script, const RunOutcome& outcome, Summary& all) {
   std::vector<double> rest;
-  std::vector<double> bytes;
-  std::vector<double> lag;
   for (const Record& client : outcome.clients) {
-    lag.insert(lag.end(), client.input_lag_ms.begin(), client.input_lag_ms.end());
-    for (const FrameSample& frame : client.frames) {
-      if (contains(all.window, frame.at_s)) bytes.push_back(frame.bytes);
-    }
     if (!script.roles[static_cast<std::size_t>(client.role)].judged()) continue;
     append(all.latencies_ms, latencies(client, all.window));
     append(rest, stills(client, all.window));
   }
   all.latency_ms = distribution(all.latencies_ms);
   all.still_s = distribution(std::move(rest));
+}
+
+void add_costs(const RunOutcome& outcome, Summary& all) {
+  std::vector<double> bytes;
+  std::vector<double> render;
+  std::vector<double> encode;
+  for (const Record& client : outcome.clients) {
+    for (const FrameSample& frame : client.frames) {
+      if (!contains(all.window, frame.at_s)) continue;
+      bytes.push_back(frame.bytes);
+      if (frame.still) continue;
+      render.push_back(frame.render_ms);
+      encode.push_back(frame.encode_ms);
+    }
+  }
   all.bytes_per_frame = distribution(std::move(bytes));
+  all.render_ms = distribution(std::move(render));
+  all.encode_ms = distribution(std::move(encode));
+}
+
+void add_lag(const RunOutcome& outcome, Summary& all) {
+  std::vector<double> lag;
+  for (const Record& client : outcome.clients)
+    lag.insert(lag.end(), client.input_lag_ms.begin(), client.input_lag_ms.end());
   all.input_lag_ms = distribution(std::move(lag));
 }
 
@@ -217,7 +234,9 @@ Summary summarise(const Script& script, const RunOutcome& outcome) {
   Summary all{.seconds = outcome.seconds, .window = window_of(outcome), .memory = outcome.memory};
   add_clients(outcome, all);
   add_counts(all);
-  add_samples(script, outcome, all);
+  add_latencies(script, outcome, all);
+  add_costs(outcome, all);
+  add_lag(outcome, all);
   add_roles(script, outcome, all);
   all.latency_over_time = over_time(script, outcome);
   all.latency_growth_ms = latency_growth(script, outcome, all.window);

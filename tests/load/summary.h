@@ -60,6 +60,8 @@ struct Summary {
   Distribution first_frame_s;
   int without_frame = 0;  ///< clients that never had one
   Distribution still_s;
+  Distribution render_ms;  ///< of interactive frames, as the server says; encoding too
+  Distribution encode_ms;
   Distribution bytes_per_frame;
   double bytes_per_second = 0.0;  ///< all clients together
   std::optional<double> least_frames_per_second;
