@@ -63,7 +63,6 @@ asio::awaitable<void> Client::run(double start_s) {
     reason = failure.what();
   }
   if (!saying_goodbye_) lost(reason);
-  record_.received_bytes = connection_->received_bytes();
   end_timer_.cancel();
   motion_timer_.cancel();
   connection_->close();
@@ -97,8 +96,9 @@ asio::awaitable<void> Client::wait_until(asio::steady_timer& timer, double at_s)
 void Client::take(const Arrival& arrival) {
   counters_.bytes += arrival.content.size();
   try {
-    if (arrival.text) return take_text(Json::parse(arrival.content));
-    take_frame(arrival.content);
+    if (!arrival.text) return take_frame(arrival.content);
+    record_.text_bytes += arrival.content.size();
+    take_text(Json::parse(arrival.content));
   } catch (const BrokenFrame& broken) {
     note_error(broken.what());
   } catch (const Json::exception& broken) {

@@ -113,7 +113,6 @@ asio::awaitable<void> Connection::read_all() {
     const std::size_t bytes = co_await stream_.async_read_some(
         incoming_, link_.chunk_bytes(), asio::redirect_error(asio::use_awaitable, error));
     if (error) break;
-    received_bytes_ += bytes;
     const TimePoint transferred = link_.transferred(bytes, Clock::now());
     if (stream_.is_message_done()) take_message(transferred);
     if (link_.limited()) co_await wait_until(transferred);

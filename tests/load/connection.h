@@ -41,8 +41,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
   /// Begins the closing handshake; what is still under way is lost.
   void close();
 
-  /// Of messages, text and pictures.
-  std::uint64_t received_bytes() const { return received_bytes_; }
   /// Why it has ended, where it was not `close`.
   const std::string& end_reason() const { return end_reason_; }
 
@@ -69,7 +67,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
   boost::asio::steady_timer grace_timer_;
   TimePoint stop_from_ = TimePoint::max();
   TimePoint stop_until_ = TimePoint::max();
-  std::uint64_t received_bytes_ = 0;
   std::string end_reason_;
   bool closing_ = false;
   bool ended_ = false;

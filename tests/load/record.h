@@ -36,7 +36,7 @@ struct Record {
   std::vector<StillSample> stills;
   std::vector<Interval> moving;
   std::vector<float> input_lag_ms;  ///< how late the client itself sent each input
-  std::uint64_t received_bytes = 0;
+  std::uint64_t text_bytes = 0;     ///< of text messages, whole run
   std::uint64_t stale_frames = 0;
   std::uint64_t errors = 0;
   std::vector<std::string> error_texts;  ///< the first few

@@ -58,6 +58,7 @@ Json together(const Summary& all) {
           {"encode_ms", spread(all.encode_ms)},
           {"bytes_per_frame", spread(all.bytes_per_frame)},
           {"bytes_per_second", all.bytes_per_second},
+          {"text_bytes_per_second", all.text_bytes_per_second},
           {"errors", all.errors},
           {"stale_frames", all.stale_frames},
           {"disconnects", all.disconnects},

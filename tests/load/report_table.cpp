@@ -50,7 +50,8 @@ void print_together(std::ostream& out, const Summary& all) {
   table.spread("server's encoding, ms", all.encode_ms);
   table.spread("bytes a frame", all.bytes_per_frame);
   table.spread("load client's own lag, ms", all.input_lag_ms);
-  table.row("bytes a second", {figure(all.bytes_per_second)});
+  table.row("frame bytes a second", {figure(std::round(all.bytes_per_second))});
+  table.row("text bytes a second", {figure(std::round(all.text_bytes_per_second))});
   table.row("errors", {std::to_string(all.errors)});
   table.row("stale frames", {std::to_string(all.stale_frames)});
   table.row("disconnects", {std::to_string(all.disconnects)});

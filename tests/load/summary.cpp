@@ -159,6 +159,7 @@ std::optional<double> latency_growth(const Script& script, const RunOutcome& out
 
 void add_clients(const RunOutcome& outcome, Summary& all) {
   for (const Record& record : outcome.clients) {
+    all.text_bytes_per_second += static_cast<double>(record.text_bytes) / outcome.seconds;
     if (all.server.empty()) all.server = record.server;
     if (all.renderer.empty()) all.renderer = record.renderer;
     all.clients.push_back(

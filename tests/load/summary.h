@@ -63,7 +63,8 @@ struct Summary {
   Distribution render_ms;  ///< of interactive frames, as the server says; encoding too
   Distribution encode_ms;
   Distribution bytes_per_frame;
-  double bytes_per_second = 0.0;  ///< all clients together
+  double bytes_per_second = 0.0;       ///< of frames, all clients together
+  double text_bytes_per_second = 0.0;  ///< of text messages, the same, whole run
   std::optional<double> least_frames_per_second;
   std::optional<double> fairness;
   std::uint64_t errors = 0;

@@ -56,7 +56,8 @@ std::vector<Check> judge(const Thresholds& thresholds, const Summary& all) {
                 if_any(all.first_frame_s, all.first_frame_s.max), "s");
   judge.at_most("time to still p95", thresholds.still_s, if_any(all.still_s, all.still_s.p95), "s");
   judge.at_most("fairness", thresholds.fairness, all.fairness, "");
-  judge.at_most("memory growth", thresholds.memory_growth_mib, all.memory_growth_mib, "MiB");
+  if (!all.memory.empty())  // it was watched
+    judge.at_most("memory growth", thresholds.memory_growth_mib, all.memory_growth_mib, "MiB");
   return std::move(judge).checks();
 }
 

@@ -17,7 +17,7 @@ struct Check {
 };
 
 /// One for each threshold that the script has, and for those that every run has. A threshold that
-/// nothing was measured for has not held.
+/// nothing was measured for has not held; only memory is not judged where it was not watched.
 std::vector<Check> judge(const Thresholds& thresholds, const Summary& summary);
 
 bool all_held(const std::vector<Check>& checks);

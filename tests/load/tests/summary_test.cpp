@@ -99,6 +99,14 @@ TEST(Verdict, NothingMeasuredHasNotHeld) {
   EXPECT_EQ(check(checks, "latency p95").measured, "nothing");
 }
 
+TEST(Verdict, MemoryIsJudgedOnlyWhereItWasWatched) {
+  RunOutcome outcome{.seconds = 10.0};
+  outcome.clients = {moving_client(0.5, 10, 20)};
+  EXPECT_TRUE(all_held(judge({.memory_growth_mib = 1.0}, summarise(script_of(1), outcome))));
+  outcome.memory = {{1.0, 100.0}};  // and it went away
+  EXPECT_FALSE(all_held(judge({.memory_growth_mib = 1.0}, summarise(script_of(1), outcome))));
+}
+
 TEST(Verdict, OneStaleFrameIsTooMany) {
   RunOutcome outcome{.seconds = 10.0};
   outcome.clients = {moving_client(0.5, 10, 20)};
