@@ -110,10 +110,11 @@ asio::awaitable<void> Connection::read_all() {
   while (!ended_) {
     const TimePoint now = Clock::now();
     if (now >= stop_from_ && now < stop_until_) co_await wait_until(stop_until_);
+    const TimePoint asked = Clock::now();
     const std::size_t bytes = co_await stream_.async_read_some(
         incoming_, link_.chunk_bytes(), asio::redirect_error(asio::use_awaitable, error));
     if (error) break;
-    const TimePoint transferred = link_.transferred(bytes, Clock::now());
+    const TimePoint transferred = link_.transferred(bytes, asked, Clock::now());
     if (stream_.is_message_done()) take_message(transferred);
     if (link_.limited()) co_await wait_until(transferred);
   }

@@ -9,6 +9,8 @@ namespace {
 constexpr std::size_t kUnlimitedChunk = std::size_t{64} * 1024;
 constexpr double kChunkTime_s = 0.002;
 constexpr double kBufferTime_s = 0.02;
+constexpr std::chrono::milliseconds kReady{2};    // a read that takes less found bytes waiting
+constexpr std::chrono::milliseconds kMadeUp{20};  // at most, for a reader that wakes late
 
 }  // namespace
 
@@ -24,10 +26,11 @@ int SimulatedLink::receive_buffer_bytes() const {
   return static_cast<int>(std::clamp(bytes, 8192.0, 4e6));
 }
 
-TimePoint SimulatedLink::transferred(std::size_t bytes, TimePoint now) {
+TimePoint SimulatedLink::transferred(std::size_t bytes, TimePoint asked, TimePoint now) {
   if (!limited()) return now;
   const Seconds time(static_cast<double>(bytes) / static_cast<double>(settings_.bytes_per_second));
-  free_at_ = std::max(free_at_, now) + std::chrono::ceil<Clock::duration>(time);
+  const TimePoint begun = now - asked < kReady ? now - kMadeUp : now;
+  free_at_ = std::max(free_at_, begun) + std::chrono::ceil<Clock::duration>(time);
   return free_at_;
 }
 

@@ -24,8 +24,10 @@ class SimulatedLink {
   /// The kernel's receive buffer, so that it hides no queue; 0: as the kernel chooses.
   int receive_buffer_bytes() const;
 
-  /// When the link's end has these bytes, if the reader takes them up at `now`. Does not decrease.
-  TimePoint transferred(std::size_t bytes, TimePoint now);
+  /// When the link's end has these bytes, which the reader asked for at `asked` and got at `now`.
+  /// Bytes that lay ready came while the reader was late: that is made up for, so that the rate
+  /// holds. Does not decrease.
+  TimePoint transferred(std::size_t bytes, TimePoint asked, TimePoint now);
   /// How long a bit travels, either way.
   Clock::duration delay() const;
 

@@ -19,11 +19,11 @@ constexpr double kBottom = 44.0;
 constexpr int kTicks = 4;
 constexpr std::size_t kLabels = 12;  // along x
 
-/// 1, 2 or 5 times a power of ten, not below `value`.
+/// A number that four steps divide well, not below `value`.
 double round_up(double value) {
   if (value <= 0.0) return 1.0;
   const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {1.0, 2.0, 4.0, 5.0, 8.0}) {
+  for (const double step : {1.0, 1.2, 1.6, 2.0, 2.4, 3.2, 4.0, 5.0, 6.0, 8.0}) {
     if (value <= step * power) return step * power;
   }
   return 10.0 * power;

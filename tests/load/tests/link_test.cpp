@@ -13,35 +13,44 @@ const TimePoint kStart{std::chrono::hours(1)};
 
 double seconds_since_start(TimePoint time) { return Seconds(time - kStart).count(); }
 
-TEST(SimulatedLink, CarriesItsBytesPerSecond) {
-  SimulatedLink link({.bytes_per_second = 625000});
+/// Reads so many bytes, each piece as soon as the link has carried the one before and the reader
+/// has woken up so much later; how long it took, s.
+double time_for(std::size_t bytes, SimulatedLink& link, Clock::duration late) {
   TimePoint now = kStart;
-  std::size_t bytes = 0;
-  while (bytes < 1250000) {
-    bytes += link.chunk_bytes();
-    now = link.transferred(link.chunk_bytes(), now);
-  }
-  EXPECT_NEAR(seconds_since_start(now), static_cast<double>(bytes) / 625000.0, 1e-5);
+  for (std::size_t got = 0; got < bytes; got += link.chunk_bytes())
+    now = link.transferred(link.chunk_bytes(), now, now) + late;
+  return seconds_since_start(now);
 }
 
-TEST(SimulatedLink, KeepsItsRateWhenTheReaderIsLate) {
+TEST(SimulatedLink, CarriesItsBytesPerSecond) {
+  SimulatedLink link({.bytes_per_second = 625000});
+  EXPECT_NEAR(time_for(1250000, link, {}), 2.0, 0.03);
+}
+
+TEST(SimulatedLink, KeepsItsRateWhenTheReaderWakesLate) {
+  SimulatedLink link({.bytes_per_second = 625000});
+  EXPECT_NEAR(time_for(1250000, link, std::chrono::microseconds(800)), 2.0, 0.03);
+}
+
+TEST(SimulatedLink, KeepsItsRateWhenThereIsMoreThanItCarries) {
   SimulatedLink link({.bytes_per_second = 1000});
-  link.transferred(500, kStart);
-  EXPECT_DOUBLE_EQ(
-      seconds_since_start(link.transferred(500, kStart + std::chrono::milliseconds(300))), 1.0);
+  const TimePoint asked = kStart - std::chrono::seconds(1);
+  link.transferred(500, asked, kStart);
+  const TimePoint soon = kStart + std::chrono::milliseconds(300);
+  EXPECT_DOUBLE_EQ(seconds_since_start(link.transferred(500, soon, soon)), 1.0);
 }
 
 TEST(SimulatedLink, SavesNothingUpWhileIdle) {
   SimulatedLink link({.bytes_per_second = 1000});
-  link.transferred(500, kStart);
-  EXPECT_DOUBLE_EQ(seconds_since_start(link.transferred(500, kStart + std::chrono::seconds(10))),
-                   10.5);
+  const TimePoint later = kStart + std::chrono::seconds(10);
+  link.transferred(500, kStart, kStart);
+  EXPECT_DOUBLE_EQ(seconds_since_start(link.transferred(500, kStart, later)), 10.5);
 }
 
 TEST(SimulatedLink, WithoutALimitTakesNoTime) {
   SimulatedLink link({});
   EXPECT_FALSE(link.limited());
-  EXPECT_EQ(link.transferred(1U << 30, kStart), kStart);
+  EXPECT_EQ(link.transferred(1U << 30, kStart, kStart), kStart);
   EXPECT_EQ(link.receive_buffer_bytes(), 0);
 }
 
