@@ -143,7 +143,7 @@ class RenderTest(CommandLineTest):
         self.assertEqual(png_size(self.picture.read_bytes()), (50, 40))
 
     def test_a_style_is_a_scene_too(self):
-        style = self.file("style.json", json.dumps({"name": "plain", "title": "Plain", "scene": {}}))
+        style = self.file("style.json", json.dumps({"name": "plain", "title": "Plain", "description": "", "scene": {}}))
         status, _, errors = run("render", style, "-o", self.picture, "--volume", SMALL, "--size", "20x20")
         self.assertEqual((status, errors), (OK, ""))
 

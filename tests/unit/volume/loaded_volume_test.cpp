@@ -11,9 +11,21 @@ TEST(DeriveLoadedVolume, HoldsWhatBelongsToTheVolume) {
   const Volume volume = test::sphere_volume(test::centred_geometry(40), 300.0);
   const auto loaded = derive_loaded_volume(volume, {}, {});
   EXPECT_EQ(loaded->volume.value_range, volume.value_range);
-  EXPECT_EQ(loaded->min_max.size_bricks, glm::ivec3(5));
+  EXPECT_EQ(loaded->min_max.size_bricks, glm::ivec3(10));
   EXPECT_EQ(loaded->histogram.range, volume.value_range);
   EXPECT_LT(loaded->surfaces.outer_iso_value, loaded->surfaces.inner_iso_value);
+}
+
+TEST(DeriveLoadedVolume, OfALargeVolumeHasLargerBricksAndNotMore) {
+  const auto bricks = [](glm::ivec3 size) {
+    return derive_loaded_volume(
+               test::constant_volume(test::centred_geometry(size, glm::dvec3(1.0), glm::dmat3(1.0)),
+                                     0.0),
+               {}, {})
+        ->min_max;
+  };
+  EXPECT_EQ(bricks({320, 4, 4}).brick_size, 4);
+  EXPECT_EQ(bricks({321, 4, 4}).brick_size, 8);
 }
 
 TEST(DeriveLoadedVolume, ReportsRisingProgressToTheEnd) {
