@@ -89,10 +89,9 @@ void read_placement(const Reader& reader, Sidecar& sidecar) {
   }
   const auto direction = reader.numbers<9>("direction_lps", "nine numbers, row-major");
   if (!direction) return;
+  auto value = direction->begin();
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      sidecar.direction_lps[column][row] = (*direction)[static_cast<std::size_t>(row * 3 + column)];
-    }
+    for (int column = 0; column < 3; ++column) sidecar.direction_lps[column][row] = *value++;
   }
   for (int axis = 0; axis < 3; ++axis) {
     const double length = glm::length(sidecar.direction_lps[axis]);

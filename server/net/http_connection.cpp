@@ -21,7 +21,7 @@ using boost::system::error_code;
 namespace {
 
 constexpr std::uint32_t kHeaderBytes = 16 * 1024;
-constexpr std::uint64_t kBodyBytes = 4 * 1024;  // no request here has one
+constexpr std::uint64_t kBodyBytes = std::uint64_t{4} * 1024;  // no request here has one
 
 // What the client is told of a request that could not be read; nothing where it just went away or
 // was too slow.
