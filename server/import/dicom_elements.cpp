@@ -1,5 +1,7 @@
 #include "import/dicom_elements.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -176,9 +178,8 @@ class Walk {
 
   void require_bytes(std::uint64_t bytes) const {
     if (offset_ + bytes <= pieces_.size()) return;
-    refuse(file_, "the DICOM header is cut off",
-           "at least " + bytes_in_words(static_cast<double>(offset_ + bytes)),
-           bytes_in_words(static_cast<double>(pieces_.size())));
+    refuse(file_, "the DICOM header is cut off", fmt::format("at least {} bytes", offset_ + bytes),
+           fmt::format("{} bytes", pieces_.size()));
   }
 
   const fs::path& file_;

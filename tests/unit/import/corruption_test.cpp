@@ -2,6 +2,7 @@
 // Error.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -220,6 +221,8 @@ class Rounds {
   }
 
   [[noreturn]] void run_child(int round, const fs::path& progress, const fs::path& answer) const {
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
     std::string fault;
     for (; round < sample_.rounds && fault.empty(); ++round) {
       write_file(progress, std::to_string(round));
