@@ -38,7 +38,7 @@ Json style_scene(const Json& capabilities, const std::string& name) {
 
 }  // namespace
 
-Client::Client(asio::any_io_executor executor, const RunPlan& plan, LiveCounters& counters,
+Client::Client(const asio::any_io_executor& executor, const RunPlan& plan, LiveCounters& counters,
                int index, int role)
     : executor_(executor),
       plan_(plan),

@@ -24,7 +24,7 @@ struct RunPlan {
 /// Everything on the executor's one thread, but for the counters.
 class Client : public std::enable_shared_from_this<Client> {
  public:
-  Client(boost::asio::any_io_executor executor, const RunPlan& plan, LiveCounters& counters,
+  Client(const boost::asio::any_io_executor& executor, const RunPlan& plan, LiveCounters& counters,
          int index, int role);
 
   /// From the start at that time to the plan's end, or to the connection's. Throws nothing.

@@ -30,7 +30,7 @@ std::string words_of(const websocket::response_type& response) {
 
 }  // namespace
 
-Connection::Connection(asio::any_io_executor executor, const LinkSettings& link)
+Connection::Connection(const asio::any_io_executor& executor, const LinkSettings& link)
     : executor_(executor),
       stream_(executor),
       link_(link),

@@ -28,7 +28,7 @@ struct Arrival {
 /// where the link is the limit.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(boost::asio::any_io_executor executor, const LinkSettings& link);
+  Connection(const boost::asio::any_io_executor& executor, const LinkSettings& link);
 
   /// Throws boost::system::system_error, and std::runtime_error with the server's words where it
   /// refuses.
