@@ -147,7 +147,10 @@ FramePipeline::BranchPicture FramePipeline::shade(const Draft& draft, BranchInde
       key, draft.plan,
       {.name = "shade",
        .region = draft.regions.branches[index],
-       .begin = [&buffers] { buffers.shade_target.clear({kNothing, kNothing}); },
+       .begin =
+           [&buffers] {
+             buffers.shade_target.clear({kNothing, kNothing});
+           },
        .draw =
            [this, key, index, &buffers,
             rays = draft.settings.supersampling](const gl::PixelRect& strip) {
@@ -165,7 +168,10 @@ FramePipeline::BranchPicture FramePipeline::resolve(const Draft& draft, BranchIn
       key, draft.plan,
       {.name = "resolve",
        .region = draft.regions.branches[index],
-       .begin = [&buffers] { buffers.shade_target.clear({kNothing, kNothing}); },
+       .begin =
+           [&buffers] {
+             buffers.shade_target.clear({kNothing, kNothing});
+           },
        .draw =
            [this, &buffers, rays = draft.settings.supersampling](const gl::PixelRect& strip) {
              resolve_pass_.run(buffers, strip, rays, triangle_);
