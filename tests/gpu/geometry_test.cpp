@@ -79,8 +79,8 @@ TEST(Orientation, QuarterTurnsAboutASymmetricVolumePermutePixels) {
   for (const glm::dvec3 eye :
        {glm::dvec3(200, 0, 0), glm::dvec3(0, 200, 0), glm::dvec3(-200, 0, 0)}) {
     const PictureDifference difference = compare(seen_from(volume, eye, {0, 0, 1}), front);
-    std::printf("turned %f %d\n", difference.mean, difference.maximum);
-    EXPECT_EQ(difference.maximum, 0);
+    // A GPU's own filter need not round alike along its three axes.
+    EXPECT_LE(difference.maximum, GpuHarness::instance().context().is_software() ? 0 : 1);
   }
 }
 
