@@ -32,7 +32,10 @@ BytePicture seen_from(const std::shared_ptr<const LoadedVolume>& volume, glm::dv
                    {"target_mm", {0, 0, 0}},
                    {"up", {up.x, up.y, up.z}},
                    {"view_height_mm", 100}}},
-                 {"context", {{"surface", {{"iso_value", 0}}}, {"filters", Json::array()}}},
+                 {"context",
+                  {{"surface", {{"iso_value", 0}}},
+                   {"shading", {{"name", "gooch"}}},
+                   {"filters", Json::array()}}},
                  {"focus", {{"surface", {{"iso_value", 100}}}}},
                  {"lens", {{"mode", "none"}, {"centre_mm", {0, 0, 0}}, {"radius_mm", 1}}},
                  {"background", {{"colour", {0, 0, 0}}}}},
@@ -76,7 +79,8 @@ TEST(Orientation, QuarterTurnsAboutASymmetricVolumePermutePixels) {
   for (const glm::dvec3 eye :
        {glm::dvec3(200, 0, 0), glm::dvec3(0, 200, 0), glm::dvec3(-200, 0, 0)}) {
     const PictureDifference difference = compare(seen_from(volume, eye, {0, 0, 1}), front);
-    EXPECT_EQ(difference.share_above_2, 0.0);
+    // A GPU's own filter need not round alike along its three axes.
+    EXPECT_LE(difference.maximum, GpuHarness::instance().context().is_software() ? 0 : 1);
   }
 }
 

@@ -14,11 +14,6 @@ namespace {
 
 constexpr Viewport kViewport{160, 120};
 
-// The styles' tone ramps are continuous except at the toon's step, and Kuwahara chooses among
-// windows: where a value lies within float rounding of such a decision, the GPU may fall to the
-// other side. Elsewhere both agree to rounding.
-constexpr Tolerance kWholePicture{.mean = 0.1, .share_above_2 = 0.002, .maximum = 64};
-
 Json flagship() {
   return Json::parse(R"({
     "focus": {"shading": {"name": "tone", "detail": 1}, "filters": [{"name": "sobel"}]},
@@ -48,7 +43,7 @@ TEST_P(EveryGeometry, LooksLikeTheReference) {
   const auto volume = load(shells_volume(centred_geometry(size, grid.spacing_mm, grid.direction)));
   const Scene scene = scene_for(flagship(), volume, kViewport);
   expect_like_reference(std::string("geometry-") + grid.name, scene, volume, settings_for(scene),
-                        kWholePicture);
+                        tolerance_for(scene));
 }
 
 TEST_P(EveryGeometry, OfTranslucentBandsLooksLikeTheReference) {
@@ -62,7 +57,7 @@ TEST_P(EveryGeometry, OfTranslucentBandsLooksLikeTheReference) {
   document["focus"]["filters"] = {{{"name", "sobel"}, {"source", "depth"}, {"norm", "unit"}}};
   const Scene scene = scene_for(document, volume, kViewport);
   expect_like_reference(std::string("translucent-") + grid.name, scene, volume, settings_for(scene),
-                        kWholePicture);
+                        tolerance_for(scene));
 }
 
 TEST_P(EveryGeometry, UnderTheMagicLensLooksLikeTheReference) {
@@ -73,7 +68,7 @@ TEST_P(EveryGeometry, UnderTheMagicLensLooksLikeTheReference) {
   document["lens"]["mode"] = "magic";
   const Scene scene = scene_for(document, volume, kViewport);
   expect_like_reference(std::string("magic-") + grid.name, scene, volume, settings_for(scene),
-                        kWholePicture);
+                        tolerance_for(scene));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -92,7 +87,7 @@ TEST_P(EveryPhantom, LooksLikeTheReference) {
   const auto volume = load(make_phantom({GetParam(), 64}, {}, {}));
   const Scene scene = scene_for(flagship_placed_by_default(), volume, kViewport);
   expect_like_reference("phantom-" + std::to_string(static_cast<int>(GetParam())), scene, volume,
-                        settings_for(scene), kWholePicture);
+                        settings_for(scene), tolerance_for(scene));
 }
 
 INSTANTIATE_TEST_SUITE_P(Reference, EveryPhantom,
@@ -112,7 +107,7 @@ TEST(Reference, OrthographicViewFromTheSideWithEachCap) {
                           {"view_height_mm", 100}};
     const Scene scene = scene_for(document, volume, kViewport);
     expect_like_reference(std::string("cap-") + cap, scene, volume, settings_for(scene),
-                          kWholePicture);
+                          tolerance_for(scene));
   }
 }
 
@@ -126,7 +121,7 @@ TEST(Reference, EyeInsideTheBoneAndInsideTheLens) {
                           {"vertical_fov_degrees", 90}};
     const Scene scene = scene_for(document, volume, kViewport);
     expect_like_reference("eye-at-" + std::to_string(static_cast<int>(y)), scene, volume,
-                          settings_for(scene), kWholePicture);
+                          settings_for(scene), tolerance_for(scene));
   }
 }
 
@@ -137,7 +132,7 @@ TEST(Reference, TissueThatTheBoxCutsShowsAFlatFace) {
   document["focus"]["surface"]["iso_value"] = 15.0;
   document["camera"] = {{"eye_mm", {60, -200, 50}}, {"target_mm", {0, 0, 0}}, {"up", {0, 0, 1}}};
   const Scene scene = scene_for(document, volume, kViewport);
-  expect_like_reference("box-face", scene, volume, settings_for(scene), kWholePicture);
+  expect_like_reference("box-face", scene, volume, settings_for(scene), tolerance_for(scene));
 }
 
 BytePicture picture_of(const Json& document, Volume volume) {
@@ -166,7 +161,8 @@ TEST(Reference, TheSignOfTheRescaleDoesNotShow) {
   EXPECT_EQ(picture_of(flagship(), shells_with_slope(-1)).rgba, plain.rgba);
   const auto negative = load(shells_with_slope(-1));
   const Scene scene = scene_for(flagship(), negative, kViewport);
-  expect_like_reference("negative-slope", scene, negative, settings_for(scene), kWholePicture);
+  expect_like_reference("negative-slope", scene, negative, settings_for(scene),
+                        tolerance_for(scene));
 }
 
 /// Values that no Hounsfield scale knows: the picture is that of the same values in a usual range.
@@ -189,11 +185,11 @@ TEST(Reference, SupersampledStillAndReducedPicture) {
   const Scene scene = scene_for(flagship(), volume, kViewport);
   RenderSettings still = settings_for(scene);
   still.supersampling = 2;
-  expect_like_reference("supersampled", scene, volume, still, kWholePicture);
+  expect_like_reference("supersampled", scene, volume, still, tolerance_for(scene));
   RenderSettings reduced = settings_for(scene);
   reduced.resolution_scale = 0.5;
   reduced.picture_size_px /= 2;
-  expect_like_reference("reduced", scene, volume, reduced, kWholePicture);
+  expect_like_reference("reduced", scene, volume, reduced, tolerance_for(scene));
 }
 
 }  // namespace

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "scene/view_geometry.h"
 #include "support/analytic_volumes.h"
 #include "support/exact_surface.h"
 #include "support/gpu_harness.h"
+#include "volume/ray_probe.h"
 
 namespace cutaway::test {
 namespace {
@@ -98,6 +100,35 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& parameter) {
       return std::get<0>(parameter.param).name + std::string("_") + std::get<1>(parameter.param);
     });
+
+/// Nothing but material: rays meet it where they enter its box, whose corners are voxels' middles.
+TEST(Surface, OfABlockIsItsBox) {
+  std::mt19937 random(29);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (const glm::dmat3& direction : {glm::dmat3(1.0), oblique_direction(), flipped_direction()}) {
+    const auto volume = load(
+        constant_volume(centred_geometry({60, 70, 30}, kAnisotropicSpacingMm, direction), 100.0));
+    for (const char* projection : {"orthographic", "perspective"}) {
+      for (const bool along_an_axis : {true, false}) {
+        Scene scene = surface_scene(volume, projection);
+        const glm::dvec3 askew(unit(random), unit(random), unit(random));
+        scene.camera.eye_mm = 150.0 * glm::normalize(along_an_axis ? direction[1] : askew);
+        scene.camera.up = direction[2];
+        int met = 0;
+        each_pixel(scene, surface_of(scene, volume), [&](const ViewRay& ray, double distance_mm) {
+          const auto box = intersect_grid(volume->volume.geometry, {ray.origin_mm, ray.direction});
+          const double length_mm = box ? box->end_mm - box->begin_mm : 0.0;
+          if (box && length_mm < 0.01) return;  // by rounding, an edge may be missed
+          ASSERT_EQ(distance_mm >= 0.0, box.has_value());
+          if (!box) return;
+          ASSERT_NEAR(distance_mm, box->begin_mm, 1e-3);
+          ++met;
+        });
+        EXPECT_GT(met, 3000);
+      }
+    }
+  }
+}
 
 class EveryGrid : public testing::TestWithParam<std::tuple<glm::dvec3, glm::dmat3>> {};
 

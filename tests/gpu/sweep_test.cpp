@@ -41,15 +41,13 @@ const std::shared_ptr<const LoadedVolume>& head() {
   return volume;
 }
 
-constexpr Tolerance kTolerance{.mean = 0.25, .share_above_2 = 0.005};
-
 TEST(Sweep, EveryFilterOnEitherBranch) {
   for (const std::string& name : names_of(image_filters())) {
     for (const char* branch : {"focus", "context"}) {
       const Scene scene =
           scene_for({{branch, {{"filters", {{{"name", name}}}}}}}, head(), {120, 90});
       expect_like_reference("filter-" + name + "-" + branch, scene, head(), settings_for(scene),
-                            kTolerance);
+                            tolerance_for(scene));
     }
   }
 }
@@ -59,7 +57,7 @@ TEST(Sweep, EveryShadingOnEitherBranch) {
     for (const char* branch : {"focus", "context"}) {
       const Scene scene = scene_for({{branch, {{"shading", {{"name", name}}}}}}, head(), {120, 90});
       expect_like_reference("shading-" + name + "-" + branch, scene, head(), settings_for(scene),
-                            kTolerance);
+                            tolerance_for(scene));
     }
   }
 }
@@ -73,7 +71,7 @@ TEST(Sweep, EveryLensOnEveryPhantom) {
                                       volume, {120, 90});
         expect_like_reference(
             "lens-" + shape + "-" + mode + "-" + std::to_string(static_cast<int>(kind)), scene,
-            volume, settings_for(scene), kTolerance);
+            volume, settings_for(scene), tolerance_for(scene));
       }
     }
   }
@@ -82,7 +80,8 @@ TEST(Sweep, EveryLensOnEveryPhantom) {
 TEST(Sweep, EveryStyle) {
   for (const Style& style : styles()) {
     const Scene scene = scene_for(style.scene, head(), {120, 90});
-    expect_like_reference("style-" + style.name, scene, head(), settings_for(scene), kTolerance);
+    expect_like_reference("style-" + style.name, scene, head(), settings_for(scene),
+                          tolerance_for(scene));
   }
 }
 

@@ -46,7 +46,14 @@ struct Tolerance {
   double mean = 0.0;           ///< in 1/255
   double share_above_2 = 0.0;  ///< of the pixels
   int maximum = 255;           ///< in 1/255
+  /// Of the pixels: those with a ray that meets a branch on one side only, which are left out of
+  /// the other three as far as filters carry them.
+  double share_of_disagreements = 0.0;
 };
+
+/// How near the scene's picture has to be to the reference's: to rounding, but where it holds a
+/// decision that rounding may turn.
+Tolerance tolerance_for(const Scene& scene);
 
 /// Renders both and expects the difference within the tolerance; keeps the pictures where it is
 /// not.

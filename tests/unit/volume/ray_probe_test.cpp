@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -29,6 +30,72 @@ TEST(IntersectGrid, BeginsAtTheEyeInsideAndIgnoresWhatLiesBehind) {
   EXPECT_EQ(inside->begin_mm, 0.0);
   EXPECT_NEAR(inside->end_mm, 5.0, 1e-12);
   EXPECT_FALSE(intersect_grid(geometry, {{0.0, 0.0, 9.0}, {0.0, 0.0, 1.0}}));
+}
+
+/// The same by brute force: of the points where the ray crosses one of the six faces' planes,
+/// those that lie on the box; and the ray's origin, where it is inside.
+std::optional<RayInterval> box_by_its_faces(const VolumeGeometry& geometry, const PatientRay& ray) {
+  constexpr double kOnBox = 1e-9;
+  const glm::dvec3 half_mm = 0.5 * geometry.spacing_mm * glm::dvec3(geometry.size_voxels - 1);
+  const glm::dvec3 middle_mm = geometry.origin_patient_mm + geometry.direction_patient * half_mm;
+  const auto is_in_box = [&](glm::dvec3 position_mm) {
+    const glm::dvec3 local = glm::transpose(geometry.direction_patient) * (position_mm - middle_mm);
+    return glm::all(glm::lessThanEqual(glm::abs(local), half_mm + kOnBox));
+  };
+  std::vector<double> distances;
+  if (is_in_box(ray.origin_mm)) distances.push_back(0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::dvec3 normal = geometry.direction_patient[axis];
+    const double slant = glm::dot(normal, ray.direction);
+    if (slant == 0.0) continue;
+    for (const double side : {-1.0, 1.0}) {
+      const glm::dvec3 on_face = middle_mm + side * half_mm[axis] * normal;
+      const double at_mm = glm::dot(normal, on_face - ray.origin_mm) / slant;
+      if (at_mm >= 0.0 && is_in_box(ray.origin_mm + at_mm * ray.direction))
+        distances.push_back(at_mm);
+    }
+  }
+  if (distances.empty()) return std::nullopt;
+  const auto [first, last] = std::ranges::minmax(distances);
+  return RayInterval{first, last};
+}
+
+/// From all around and from within; every fourth along an axis of the grid.
+PatientRay random_ray(std::mt19937& random, int number, const VolumeGeometry& geometry) {
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const double reach_mm = number % 3 == 0 ? 10.0 : 60.0;
+  const glm::dvec3 from = reach_mm * glm::dvec3(unit(random), unit(random), unit(random));
+  if (number % 4 == 0) {
+    const double sign = number % 8 == 0 ? 1.0 : -1.0;
+    return {from, sign * geometry.direction_patient[(number / 8) % 3]};
+  }
+  const glm::dvec3 to = 15.0 * glm::dvec3(unit(random), unit(random), unit(random));
+  return {from, glm::normalize(to - from)};
+}
+
+TEST(IntersectGrid, IsTheBoxesFacesForAHundredThousandRays) {
+  std::mt19937 random(23);
+  int met = 0;
+  int missed = 0;
+  for (const glm::dmat3& direction :
+       {glm::dmat3(1.0), test::oblique_direction(), test::flipped_direction()}) {
+    const VolumeGeometry geometry =
+        test::centred_geometry({33, 41, 19}, test::kAnisotropicSpacingMm, direction);
+    for (int i = 0; i < 34000; ++i) {
+      const PatientRay ray = random_ray(random, i, geometry);
+      const auto expected = box_by_its_faces(geometry, ray);
+      const auto actual = intersect_grid(geometry, ray);
+      const double length_mm = expected ? expected->end_mm - expected->begin_mm : 0.0;
+      if (expected && length_mm < 1e-6) continue;  // a corner or an edge: either answer will do
+      ASSERT_EQ(actual.has_value(), expected.has_value()) << i;
+      ++(expected ? met : missed);
+      if (!expected) continue;
+      ASSERT_NEAR(actual->begin_mm, expected->begin_mm, 1e-7) << i;
+      ASSERT_NEAR(actual->end_mm, expected->end_mm, 1e-7) << i;
+    }
+  }
+  EXPECT_GT(met, 40000);
+  EXPECT_GT(missed, 10000);
 }
 
 class EveryRay : public testing::TestWithParam<glm::dmat3> {};
