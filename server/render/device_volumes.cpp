@@ -8,8 +8,7 @@
 namespace cutaway {
 
 std::shared_ptr<GpuVolume> DeviceVolumes::use(const std::shared_ptr<const LoadedVolume>& loaded) {
-  const auto known = std::ranges::find_if(
-      volumes_, [&](const auto& volume) { return volume->identity() == loaded.get(); });
+  const auto known = std::ranges::find(volumes_, VolumeIdentity{loaded}, &GpuVolume::identity);
   if (known != volumes_.end()) {
     volumes_.splice(volumes_.begin(), volumes_, known);
     return volumes_.front();
@@ -37,8 +36,9 @@ bool DeviceVolumes::drop_oldest() {
   return true;
 }
 
-void DeviceVolumes::drop(const LoadedVolume* identity) {
-  std::erase_if(volumes_, [=](const auto& volume) { return volume->identity() == identity; });
+void DeviceVolumes::drop(const std::shared_ptr<const LoadedVolume>& loaded) {
+  const VolumeIdentity identity{loaded};
+  std::erase_if(volumes_, [&](const auto& volume) { return volume->identity() == identity; });
 }
 
 void DeviceVolumes::drop_unwanted() {

@@ -20,7 +20,7 @@ class DeviceVolumes {
   /// using it holds it: beyond the limit, if need be. Throws Error "volume-refused" or "too-large"
   /// when the device could not hold it alone.
   std::shared_ptr<GpuVolume> use(const std::shared_ptr<const LoadedVolume>& loaded);
-  void drop(const LoadedVolume* identity);
+  void drop(const std::shared_ptr<const LoadedVolume>& loaded);
   void drop_unwanted();
 
   std::uint64_t used_bytes() const;

@@ -11,7 +11,7 @@
 namespace cutaway {
 
 struct EntryKey {
-  const LoadedVolume* volume = nullptr;
+  VolumeIdentity volume;
   ViewRays rays{};
   std::array<ValueBand, kBranches> bands;
   /// False where the eye is in the volume, whose faces may then lie behind it, and where nothing is

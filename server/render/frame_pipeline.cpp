@@ -34,8 +34,7 @@ std::array<Look, kBranches> looks_of(const Scene& scene) {
 
 RayCastKey ray_cast_key(const Scene& scene, const GpuVolume& volume,
                         const RenderSettings& settings) {
-  RayCastKey key{.volume = volume.identity(),
-                 .rays = view_rays(scene.camera, scene.viewport, volume.volume().geometry),
+  RayCastKey key{.rays = view_rays(scene.camera, scene.viewport, volume.volume().geometry),
                  .surfaces = {scene.context.surface, scene.focus.surface},
                  .looks = {},
                  .lens = region_of(scene.lens),

@@ -11,6 +11,14 @@
 
 namespace cutaway {
 
+/// Tells volumes apart, also from one that is gone: another may lie at its address by then.
+struct VolumeIdentity {
+  std::weak_ptr<const LoadedVolume> volume;
+  bool operator==(const VolumeIdentity& other) const {
+    return !volume.owner_before(other.volume) && !other.volume.owner_before(volume);
+  }
+};
+
 /// Render thread only. Holds the loaded volume alive.
 class GpuVolume {
  public:
@@ -27,7 +35,7 @@ class GpuVolume {
   bool is_complete() const { return uploaded_slices_ == volume().geometry.size_voxels.z; }
 
   const Volume& volume() const { return loaded_->volume; }
-  const LoadedVolume* identity() const { return loaded_.get(); }
+  VolumeIdentity identity() const { return {loaded_}; }
   /// Whether anyone but this holds the loaded volume.
   bool is_wanted() const { return loaded_.use_count() > 1; }
   /// What the texture of a volume takes on the device.

@@ -15,8 +15,7 @@ namespace cutaway {
 
 /// All that the stage's buffers depend on.
 struct RayCastKey {
-  const LoadedVolume* volume = nullptr;
-  std::uint64_t entry_version = 0;  ///< of where the rays come to something
+  std::uint64_t entry_version = 0;  ///< of where the rays come to something, and of the volume
   ViewRays rays{};
   std::array<Surface, kBranches> surfaces;
   /// Where a branch lets light through, layers are coloured on the way; nothing else looks here.

@@ -205,7 +205,7 @@ void RenderWorker::upload_some() {
     if (!advance(job)) return;
     job.done.set_value();
   } catch (...) {
-    volumes_.drop(job.volume.get());
+    volumes_.drop(job.volume);
     job.done.set_exception(std::current_exception());
   }
   uploads_.pop_front();

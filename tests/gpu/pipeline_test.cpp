@@ -188,6 +188,26 @@ TEST_F(Stages, AMovedLensOrCameraCastsRays) {
   EXPECT_EQ(cost_of_render().ray_cast, 1U);
 }
 
+TEST_F(Stages, AnotherVolumeAtTheLastOnesAddressIsCastAnew) {
+  LoadedVolume place = *load(sphere_volume(centred_geometry(64), 25.0));
+  const auto cast_from_there = [&] {
+    const std::shared_ptr<const LoadedVolume> volume(&place, [](const LoadedVolume*) {});
+    GpuVolume gpu_volume(volume, 2048);
+    gpu_volume.upload_rest();
+    const Scene scene =
+        scene_for({{"context", {{"surface", {{"iso_value", 0}}}}},
+                   {"camera", document_.at("camera")},
+                   {"focus", {{"surface", {{"iso_value", 5}}}}},
+                   {"lens", {{"mode", "none"}, {"centre_mm", {0, 0, 0}}, {"radius_mm", 1}}}},
+                  volume, {80, 60});
+    gpu_.pipeline().render(view_, scene, gpu_volume, settings_for(scene));
+    return FramePipeline::read_surface(view_, kContext)[30 * 80 + 40].w;
+  };
+  const float first = cast_from_there();
+  place = *load(sphere_volume(centred_geometry(64), 15.0));
+  EXPECT_NEAR(cast_from_there() - first, 10.0, 0.5);
+}
+
 TEST_F(Stages, EachSampleBelongsToOneBranchOrTheBackground) {
   const auto context = FramePipeline::read_surface(view_, kContext);
   const auto focus = FramePipeline::read_surface(view_, kFocus);
