@@ -6,17 +6,16 @@
 #include <charconv>
 
 #include "core/error.h"
+#include "scene/client_message.h"
 
 namespace cutaway {
 
 namespace {
 
-constexpr int kLargestSidePx = 8192;
-
 Error no_such_size(const std::string& received) {
   return Error({.code = "out-of-range",
                 .message = "there is no picture of this size",
-                .expected = fmt::format("1x1 to {0}x{0} px", kLargestSidePx),
+                .expected = fmt::format("1x1 to {0}x{0} px", kLargestSide_px),
                 .received = received});
 }
 
@@ -35,7 +34,7 @@ Viewport parse_picture_size(const std::string& text) {
 
 void check_picture_size(Viewport size) {
   const auto [shorter, longer] = std::minmax(size.width_px, size.height_px);
-  if (shorter >= 1 && longer <= kLargestSidePx) return;
+  if (shorter >= 1 && longer <= kLargestSide_px) return;
   throw no_such_size(fmt::format("{}x{}", size.width_px, size.height_px));
 }
 

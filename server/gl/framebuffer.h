@@ -37,7 +37,6 @@ class Framebuffer {
   void clear(std::initializer_list<glm::vec4> values) const;
   /// Of the framebuffer that is bound.
   static void clear_depth(float depth) { glClearBufferfv(GL_DEPTH, 0, &depth); }
-  glm::ivec2 size_px() const { return size_px_; }
 
  private:
   FramebufferHandle handle_;

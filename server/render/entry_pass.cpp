@@ -51,14 +51,12 @@ void EntryPass::run(const EntryKey& key, GpuVolume& volume, const ViewBuffers& b
   if (!key.is_used) return;
   const VolumeGeometry& geometry = volume.volume().geometry;
   const EmptySpaceMaps& maps = volume.empty_space(key.bands[kContext], key.bands[kFocus]);
-  const double smallest_mm =
-      std::min({geometry.spacing_mm.x, geometry.spacing_mm.y, geometry.spacing_mm.z});
   program_.use();
   volume.set_uniforms(program_, 0);
   set_view_rays(program_, key.rays);
   program_.set("volume_origin_mm", glm::vec3(geometry.origin_patient_mm));
   program_.set("block_cells", maps.block_cells);
-  program_.set("nearest_mm", static_cast<float>(0.5 * smallest_mm));
+  program_.set("nearest_mm", static_cast<float>(0.5 * smallest_spacing_mm(geometry)));
   program_.set("farthest_mm", key.farthest_mm);
   const gl::DepthTest test(gl::DepthTest::keep_nearest);
   glBindVertexArray(maps.faces.name());

@@ -85,7 +85,7 @@ FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& vo
     view = ViewState();
     view.buffers_.emplace(settings.picture_size_px, settings.supersampling);
   }
-  FramePlan plan;
+  FramePlan plan(observer_);
   const Draft draft{view, *view.buffers_, settings,
                     view_regions(scene, volume.volume().geometry, settings.picture_size_px), plan};
   RayCastKey rays = ray_cast_key(scene, volume, settings);
@@ -112,14 +112,13 @@ std::uint64_t FramePipeline::find_entries(const Draft& draft, const RayCastKey& 
       entry_key(volume, rays.rays, {rays.surfaces[kContext].band, rays.surfaces[kFocus].band},
                 rays.skip_empty_space);
   const ViewBuffers& buffers = draft.buffers;
-  return draft.view.entry_.schedule(
-      key, draft.plan,
-      {.name = "entry",
-       .region = kIndivisible,
-       .begin = {},
-       .draw = [this, key, &volume,
-                &buffers](const gl::PixelRect&) { entry_pass_.run(key, volume, buffers); },
-       .done = [this] { ran("entry"); }});
+  return draft.view.entry_.schedule(key, draft.plan,
+                                    {.name = "entry",
+                                     .region = kIndivisible,
+                                     .begin = {},
+                                     .draw = [this, key, &volume, &buffers](const gl::PixelRect&) {
+                                       entry_pass_.run(key, volume, buffers);
+                                     }});
 }
 
 std::uint64_t FramePipeline::cast_rays(const Draft& draft, const RayCastKey& key,
@@ -135,8 +134,7 @@ std::uint64_t FramePipeline::cast_rays(const Draft& draft, const RayCastKey& key
        .draw =
            [this, key, &volume, &buffers](const gl::PixelRect& strip) {
              ray_cast_pass_.run(key, volume, buffers, strip, triangle_);
-           },
-       .done = [this] { ran("ray cast"); }});
+           }});
 }
 
 FramePipeline::BranchPicture FramePipeline::shade(const Draft& draft, BranchIndex index,
@@ -154,8 +152,7 @@ FramePipeline::BranchPicture FramePipeline::shade(const Draft& draft, BranchInde
            [this, key, index, &buffers,
             rays = draft.settings.supersampling](const gl::PixelRect& strip) {
              shade_pass_.run(key, index, buffers, strip, rays, triangle_);
-           },
-       .done = [this] { ran("shade"); }});
+           }});
   return {&buffers.shaded, version};
 }
 
@@ -174,8 +171,7 @@ FramePipeline::BranchPicture FramePipeline::resolve(const Draft& draft, BranchIn
        .draw =
            [this, &buffers, rays = draft.settings.supersampling](const gl::PixelRect& strip) {
              resolve_pass_.run(buffers, strip, rays, triangle_);
-           },
-       .done = [this] { ran("resolve"); }});
+           }});
   return {&buffers.shaded, version};
 }
 
@@ -198,8 +194,7 @@ FramePipeline::BranchPicture FramePipeline::filter(const Draft& draft, BranchInd
              [this, key, &buffers, &target, input = picture.texture](const gl::PixelRect& strip) {
                filter_pass_.run(key, {*input, buffers.silhouette, buffers.surface},
                                 target.framebuffer, strip, triangle_);
-             },
-         .done = [this, name = filters[i].name] { ran(name); }});
+             }});
     picture.texture = &target.texture;
   }
   return picture;
@@ -211,12 +206,10 @@ void FramePipeline::composite(const Draft& draft, const CompositeKey& key) {
                                  {.name = "composite",
                                   .region = {{0, 0}, buffers.picture_size_px()},
                                   .begin = {},
-                                  .draw =
-                                      [this, key, &buffers](const gl::PixelRect& strip) {
-                                        composite_pass_.run(key, buffers.picture.framebuffer, strip,
-                                                            triangle_);
-                                      },
-                                  .done = [this] { ran("composite"); }});
+                                  .draw = [this, key, &buffers](const gl::PixelRect& strip) {
+                                    composite_pass_.run(key, buffers.picture.framebuffer, strip,
+                                                        triangle_);
+                                  }});
 }
 
 // Its planes differ in size, so it is drawn as one; it is the cheapest pass.
@@ -225,17 +218,12 @@ void FramePipeline::convert(const Draft& draft) {
   if (layout == PixelLayout::rgba) return;
   ViewBuffers& buffers = draft.buffers;
   buffers.prepare_planes(layout);
-  draft.plan.add(
-      {.name = "convert",
-       .region = kIndivisible,
-       .begin = {},
-       .draw = [this, layout,
-                &buffers](const gl::PixelRect&) { convert_pass_.run(layout, buffers, triangle_); },
-       .done = [this] { ran("convert"); }});
-}
-
-void FramePipeline::ran(const std::string& stage) const {
-  if (observer_) observer_(stage.c_str());
+  draft.plan.add({.name = "convert",
+                  .region = kIndivisible,
+                  .begin = {},
+                  .draw = [this, layout, &buffers](const gl::PixelRect&) {
+                    convert_pass_.run(layout, buffers, triangle_);
+                  }});
 }
 
 void FramePipeline::start_readback(const ViewState& view, PixelLayout layout,

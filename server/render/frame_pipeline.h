@@ -52,9 +52,6 @@ class ViewState {
   Stage<CompositeKey> composite_;
 };
 
-/// Called after each stage that ran, with its name; measuring only.
-using StageObserver = std::function<void(const char* stage)>;
-
 /// Owns the programs. Render thread only.
 class FramePipeline {
  public:
@@ -82,7 +79,7 @@ class FramePipeline {
   /// The same for the layers of translucent material: premultiplied colour and opacity.
   static std::vector<glm::vec4> read_layers(const ViewState& view, BranchIndex branch);
 
-  void observe(StageObserver observer) { observer_ = std::move(observer); }
+  void observe(PassObserver observer) { observer_ = std::move(observer); }
 
  private:
   /// What the parts of a plan have in common.
@@ -106,7 +103,6 @@ class FramePipeline {
                        BranchPicture picture);
   void composite(const Draft& draft, const CompositeKey& key);
   void convert(const Draft& draft);
-  void ran(const std::string& stage) const;
 
   gl::FullscreenTriangle triangle_;
   gl::ShaderLibrary shaders_;
@@ -117,7 +113,7 @@ class FramePipeline {
   FilterPass filter_pass_;
   CompositePass composite_pass_;
   ConvertPass convert_pass_;
-  StageObserver observer_;
+  PassObserver observer_;
 };
 
 }  // namespace cutaway

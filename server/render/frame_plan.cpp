@@ -20,13 +20,14 @@ std::int64_t FramePlan::draw_strip(std::int64_t cost) {
   const std::int64_t row_cost = std::max<std::int64_t>(1, std::int64_t{pass.cost} * size.x);
   const auto rows = static_cast<int>(
       std::clamp<std::int64_t>(cost / row_cost, 1, std::max(1, size.y - next_row_)));
-  if (size.x > 0 && size.y > 0) {
+  if (!pass.region.is_empty()) {
     const int first = pass.region.begin.y + next_row_;
     pass.draw({{pass.region.begin.x, first}, {pass.region.end.x, first + rows}});
   }
   next_row_ += rows;
   if (next_row_ >= size.y) {
-    pass.done();
+    if (pass.done) pass.done();
+    if (observer_) observer_(pass.name);
     next_row_ = 0;
     ++current_;
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gl/framebuffer.h"
@@ -21,13 +22,19 @@ struct Pass {
   /// Draws a strip of the region. Sets all the state that it needs: other frames are drawn between
   /// two strips.
   std::function<void(const gl::PixelRect& strip)> draw;
-  std::function<void()> done;  ///< the output is complete
+  std::function<void()> done;  ///< the output is complete; may be empty
 };
+
+/// Called after each pass that was drawn, with its name; measuring only.
+using PassObserver = std::function<void(const std::string& name)>;
 
 /// Render thread only. A plan that is given up leaves stages without an output, which the next
 /// frame's plan draws again.
 class FramePlan {
  public:
+  FramePlan() = default;
+  explicit FramePlan(PassObserver observer) : observer_(std::move(observer)) {}
+
   void add(Pass pass) { passes_.push_back(std::move(pass)); }
 
   bool is_done() const { return current_ == passes_.size(); }
@@ -38,6 +45,7 @@ class FramePlan {
  private:
   std::int64_t draw_strip(std::int64_t cost);
 
+  PassObserver observer_;
   std::vector<Pass> passes_;
   std::size_t current_ = 0;
   int next_row_ = 0;  ///< of the current pass, from the begin of its region

@@ -57,6 +57,7 @@ class JobQueue {
   std::vector<std::uint64_t> waiting() const {
     const std::lock_guard lock(mutex_);
     std::vector<std::uint64_t> views;
+    views.reserve(jobs_.size());
     for (const Job& job : jobs_) views.push_back(job.view());
     return views;
   }

@@ -17,7 +17,7 @@ constexpr int kRefinementSteps = 5;
 /// Neighbouring rays meet a surface that the lens cuts within about so many voxels of each other.
 constexpr double kRimVoxels = 2.0;
 
-/// Above every stored value.
+/// Above every stored value: NO_UPPER_LIMIT of shaders/bands.glsl.
 constexpr float kNoUpperLimit = 3e38F;
 
 /// See shaders/branches.glsl: the ray left the volume.
@@ -56,8 +56,7 @@ void set_bands(const gl::Program& program, const RayCastKey& key, const GpuVolum
 }
 
 void set_search(const gl::Program& program, const RayCastKey& key, const GpuVolume& volume) {
-  const glm::dvec3 spacing = volume.volume().geometry.spacing_mm;
-  const double smallest_mm = std::min({spacing.x, spacing.y, spacing.z});
+  const double smallest_mm = smallest_spacing_mm(volume.volume().geometry);
   program.set("step_mm", static_cast<float>(key.step_voxels * smallest_mm));
   program.set("rim_mm", static_cast<float>(kRimVoxels * smallest_mm));
   program.set("refinement_steps", kRefinementSteps);

@@ -124,20 +124,14 @@ void RenderWorker::keep_pace() {
 }
 
 void RenderWorker::read_back(Drawing& drawing) {
-  Pending pending{std::move(drawing.job), {}, drawing.begun};
+  gl::PixelReadback readback;
   if (!idle_readbacks_.empty()) {
-    pending.readback = std::move(idle_readbacks_.back());
+    readback = std::move(idle_readbacks_.back());
     idle_readbacks_.pop_back();
   }
-  const RenderRequest& request = pending.job.request;
-  try {
-    FramePipeline::start_readback(views_.pinned(request.view), request.settings.layout,
-                                  pending.readback);
-  } catch (...) {
-    drawing.job = std::move(pending.job);
-    throw;
-  }
-  pending_.push_back(std::move(pending));
+  const RenderRequest& request = drawing.job.request;
+  FramePipeline::start_readback(views_.pinned(request.view), request.settings.layout, readback);
+  pending_.push_back({std::move(drawing.job), std::move(readback), drawing.begun});
 }
 
 void RenderWorker::end(Place drawing, RenderOutcome outcome) {

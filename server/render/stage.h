@@ -14,15 +14,12 @@ namespace cutaway {
 template <typename Key>
 class Stage {
  public:
-  /// Adds the pass to the plan unless the output already belongs to `key`. Returns the version that
-  /// the output has once the plan is done.
+  /// Adds the pass, whose `done` is the stage's to set, to the plan unless the output already
+  /// belongs to `key`. Returns the version that the output has once the plan is done.
   std::uint64_t schedule(Key key, FramePlan& plan, Pass pass) {
     if (key_ == key) return runs_;
     key_.reset();  // a plan that is given up leaves no output that could pass for either
-    pass.done = [this, key = std::move(key), done = std::move(pass.done)] {
-      key_ = key;
-      if (done) done();
-    };
+    pass.done = [this, key = std::move(key)] { key_ = key; };
     plan.add(std::move(pass));
     return ++runs_;
   }

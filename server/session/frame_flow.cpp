@@ -26,7 +26,7 @@ Error not_awaited(std::uint32_t frame, const std::string& awaited) {
 
 }  // namespace
 
-FrameFlow::FrameFlow(std::shared_ptr<Strand> strand, FrameSource& source, ClientSink& sink,
+FrameFlow::FrameFlow(const std::shared_ptr<Strand>& strand, FrameSource& source, ClientSink& sink,
                      std::uint64_t view, const SessionSettings& settings,
                      std::function<void(const Error&)> failed)
     : strand_(strand),
@@ -122,7 +122,7 @@ void FrameFlow::came_back(std::uint64_t id, FrameOutcome outcome) {
   const SceneSnapshot shown = std::move(asked->snapshot);
   asked_.erase(asked);
   if (auto* frame = std::get_if<Frame>(&outcome)) {
-    send(shown, std::move(*frame));
+    send(shown, *frame);
   } else {
     credits_.give_back();
     if (const auto* error = std::get_if<Error>(&outcome)) fail(shown, *error);
@@ -135,7 +135,7 @@ void FrameFlow::fail(const SceneSnapshot& shown, const Error& error) {
   failed_(error);
 }
 
-void FrameFlow::send(const SceneSnapshot& shown, Frame frame) {
+void FrameFlow::send(const SceneSnapshot& shown, const Frame& frame) {
   const std::chrono::microseconds cost(std::uint64_t{frame.render_us} + frame.encode_us);
   quality_.rendered(frame.quality, cost);
   const std::uint32_t number = ++last_number_;

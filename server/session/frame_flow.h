@@ -27,7 +27,7 @@ struct SceneSnapshot {
 class FrameFlow {
  public:
   /// `failed` hears of each frame that could not be rendered.
-  FrameFlow(std::shared_ptr<Strand> strand, FrameSource& source, ClientSink& sink,
+  FrameFlow(const std::shared_ptr<Strand>& strand, FrameSource& source, ClientSink& sink,
             std::uint64_t view, const SessionSettings& settings,
             std::function<void(const Error&)> failed);
   ~FrameFlow();
@@ -61,7 +61,7 @@ class FrameFlow {
   bool ask(FrameKind kind);
   FrameRequest request(FrameKind kind) const;
   void came_back(std::uint64_t id, FrameOutcome outcome);
-  void send(const SceneSnapshot& shown, Frame frame);
+  void send(const SceneSnapshot& shown, const Frame& frame);
   void written(std::uint32_t number, bool sent);
   void fail(const SceneSnapshot& shown, const Error& error);
   void check_awaited(std::uint32_t frame) const;

@@ -1,5 +1,6 @@
 #include "volume/geometry.h"
 
+#include <algorithm>
 #include <array>
 
 namespace cutaway {
@@ -45,6 +46,11 @@ bool is_within_reach(glm::dvec3 position_mm) {
 bool is_within_reach(const VolumeGeometry& geometry) {
   const BoundingBox bounds = bounds_patient_mm(geometry);
   return is_within_reach(bounds.minimum_mm) && is_within_reach(bounds.maximum_mm);
+}
+
+double smallest_spacing_mm(const VolumeGeometry& geometry) {
+  const glm::dvec3 spacing = geometry.spacing_mm;
+  return std::min({spacing.x, spacing.y, spacing.z});
 }
 
 double diagonal_mm(const VolumeGeometry& geometry) {

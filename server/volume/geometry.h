@@ -40,6 +40,9 @@ bool is_within_reach(glm::dvec3 position_mm);
 /// Whether all voxel centres are.
 bool is_within_reach(const VolumeGeometry& geometry);
 
+/// In its unit rays count their steps.
+double smallest_spacing_mm(const VolumeGeometry& geometry);
+
 /// Length of the grid's diagonal between the centres of opposite corner voxels.
 double diagonal_mm(const VolumeGeometry& geometry);
 

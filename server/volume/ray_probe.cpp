@@ -56,8 +56,7 @@ std::optional<double> first_surface_mm(const Volume& volume, const PatientRay& r
   const int before = side(inside.begin_mm);
   if (before == 0) return inside.begin_mm;
 
-  const glm::dvec3 spacing = volume.geometry.spacing_mm;
-  const double step_mm = 0.5 * std::min({spacing.x, spacing.y, spacing.z});
+  const double step_mm = 0.5 * smallest_spacing_mm(volume.geometry);
   double outside_mm = inside.begin_mm;
   for (long i = 1; outside_mm < inside.end_mm; ++i) {
     double here_mm = std::min(inside.begin_mm + double(i) * step_mm, inside.end_mm);

@@ -92,13 +92,16 @@ Scene FrameTiming::turned(const Scene& front, int degrees) const {
 }
 
 std::size_t FrameTiming::draw(const Scene& scene) {
+  timer_.begin();
   pipeline_.render(view_, scene, volume_, interactive_settings(scene.viewport));
   FramePipeline::start_readback(view_, kLayout, readback_);
+  timer_.end();
   return compress(readback_.finish(), scene.viewport).size();
 }
 
 void FrameTiming::measure_whole(const Scene& front, const FrameBudget& budget, FrameTime& time) {
   std::vector<double> frames_ms;
+  std::vector<double> device_ms;
   std::vector<double> bytes;
   double spent_ms = 0.0;
   while (wants_more(budget, static_cast<int>(frames_ms.size()), spent_ms)) {
@@ -106,11 +109,13 @@ void FrameTiming::measure_whole(const Scene& front, const FrameBudget& budget, F
     const auto begun = Clock::now();
     bytes.push_back(static_cast<double>(draw(scene)));
     frames_ms.push_back(milliseconds_between(begun, Clock::now()));
+    device_ms.push_back(static_cast<double>(timer_.elapsed_ns()) / 1e6);
     spent_ms += frames_ms.back();
   }
   time.frames = static_cast<int>(frames_ms.size());
   time.median_ms = median(frames_ms);
   time.p95_ms = quantile(frames_ms, 0.95);
+  time.device_ms = median(device_ms);
   time.jpeg_bytes = median(bytes);
 }
 
@@ -119,7 +124,7 @@ void FrameTiming::measure_whole(const Scene& front, const FrameBudget& budget, F
 void FrameTiming::measure_stages(const Scene& front, const FrameBudget& budget, FrameTime& time) {
   StageSamples samples;
   auto last = Clock::now();
-  const auto stage_ended = [&](const char* stage) {
+  const auto stage_ended = [&](const std::string& stage) {
     glFinish();
     const auto now = Clock::now();
     samples.add(stage, milliseconds_between(last, now));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "benchmark/frame_cases.h"
+#include "gl/gpu_timer.h"
 #include "render/frame_pipeline.h"
 
 namespace cutaway::benchmark {
@@ -20,6 +21,7 @@ struct FrameTime {
   int frames = 0;
   double median_ms = 0.0;  ///< the whole frame, from the scene to JPEG bytes
   double p95_ms = 0.0;
+  double device_ms = 0.0;         ///< median that the renderer works, up to the read-back
   std::vector<StageTime> stages;  ///< in the pipeline's order
   double jpeg_bytes = 0.0;        ///< median
 };
@@ -54,6 +56,7 @@ class FrameTiming {
   FramePipeline pipeline_;
   ViewState view_;
   gl::PixelReadback readback_;
+  gl::GpuTimer timer_;
 };
 
 }  // namespace cutaway::benchmark

@@ -21,13 +21,14 @@ void Report::begin_volume(const std::string& name, const Volume& volume) {
 }
 
 void Report::begin_size(Viewport size) {
-  std::printf("  %d x %d: median ms a frame (95th percentile), then by stage\n", size.width_px,
-              size.height_px);
+  std::printf("  %d x %d: median ms a frame (95th percentile), of the renderer, then by stage\n",
+              size.width_px, size.height_px);
   size_ = size;
 }
 
 void Report::add(const std::string& case_name, const FrameTime& time) {
-  std::printf("    %-16s %8.2f (%7.2f) ", case_name.c_str(), time.median_ms, time.p95_ms);
+  std::printf("    %-16s %8.2f (%7.2f) %8.2f ", case_name.c_str(), time.median_ms, time.p95_ms,
+              time.device_ms);
   Json stages = Json::object();
   for (const StageTime& stage : time.stages) {
     std::printf("  %s %.2f", stage.stage.c_str(), stage.median_ms);
@@ -41,6 +42,7 @@ void Report::add(const std::string& case_name, const FrameTime& time) {
                              {"frames", time.frames},
                              {"median_ms", time.median_ms},
                              {"p95_ms", time.p95_ms},
+                             {"device_ms", time.device_ms},
                              {"stages_ms", stages},
                              {"jpeg_bytes", time.jpeg_bytes}});
 }

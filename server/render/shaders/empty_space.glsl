@@ -2,7 +2,7 @@
 // that reaches the iso-value lets a sample skip to the exit of the cube of 2D-1 bricks around it.
 // Source: Deakin and Knackstedt, "Accelerated Volume Rendering with Chebyshev Distance Maps", SIGGRAPH Asia 2019.
 
-uniform usampler3D distance_maps;  // a component for each branch
+uniform usampler3D distance_maps;     // a component for each branch
 uniform float brick_size;             // cells
 uniform ivec3 size_bricks;
 uniform bool skip_empty_space;

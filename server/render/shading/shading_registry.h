@@ -14,7 +14,7 @@ namespace cutaway {
 /// Every shading model; its parameters' names, ranges and defaults are in the scene's schema.
 std::span<const ShadingModel> shading_models();
 
-/// Throws CheckFailed where there is none of that name.
+/// There has to be one of that name.
 const ShadingModel& find_shading_model(std::string_view name);
 
 /// With these a shader's `#include SHADING_FILE` is the model's file and `SHADE` its function.
