@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A still that takes about half a second on two cores.
-constexpr std::int64_t kStillRaysInSoftware = 2'100'000;
+/// A still that takes about a second on two cores, and yields to what comes meanwhile.
+constexpr std::int64_t kStillRaysInSoftware = 4'000'000;
 /// Frames are drawn in turns, but a picture's buffers are made at once: those of 2560 x 1600 pixels
 /// take a third of a second where the processor has to fill them.
 constexpr std::int64_t kViewportPixelsInSoftware = 4'096'000;

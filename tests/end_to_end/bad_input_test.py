@@ -4,6 +4,7 @@ Usage: bad_input_test.py CUTAWAY_BINARY [unittest arguments]
 """
 
 import struct
+import threading
 
 from png import png_pixels
 from served import HEAD, ServedTest, run
@@ -83,6 +84,31 @@ class BadInputTest(ServedTest):
         self.assertLess(share, 0.5)
         self.assertNotEqual(self.picked(client).get("branch"), "focus")
         self.assertFalse([text for text in client.texts if text["type"] == "error"])
+
+    def largest_viewport(self, client):
+        limits = client.texts[0]["limits"]
+        side_px = min(limits["viewport_side_px"], int(limits["viewport_pixels"] ** 0.5))
+        client.viewport(side_px, side_px)
+        return side_px
+
+    def test_the_largest_viewport_leaves_the_others_undisturbed(self):
+        """Frames are counted, not time: one that is small gets many while the large one's refined frame is drawn."""
+        small = self.showing(HEAD, 64, 48)
+        large = self.showing(HEAD, 64, 48)
+        side_px = self.largest_viewport(large)
+        seen = threading.Event()
+
+        def wait_for_refined_frame():
+            self.assertEqual(large.rest().viewport, (side_px, side_px))
+            seen.set()
+
+        waiting = threading.Thread(target=wait_for_refined_frame)
+        waiting.start()
+        before = len(small.frames)
+        while not seen.is_set():
+            small.frame(small.scene({"camera": {"eye_mm": [small.inputs * 2.0, -500, 0]}}))
+        waiting.join()
+        self.assertGreater(len(small.frames) - before, 8)
 
     def test_over_64_kib_is_refused_and_the_session_goes_on(self):
         client = self.showing()
