@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "benchmark/samples.h"
+#include "benchmark/yardstick_task.h"
 #include "encode/jpeg.h"
 #include "render/loaded_facts.h"
 #include "scene/resolve.h"
@@ -80,6 +81,16 @@ FrameTime FrameTiming::measure(const FrameCase& frame_case, Viewport size,
   measure_whole(front, budget, time);
   measure_stages(front, budget, time);
   return time;
+}
+
+void FrameTiming::write_task(const FrameCase& frame_case, Viewport size,
+                             const std::filesystem::path& folder) {
+  const Scene front = resolve_scene(frame_case.scene, facts_of(loaded_), size);
+  pipeline_.render(view_, front, volume_, interactive_settings(size));
+  Silhouette silhouette{size, {}};
+  for (const glm::vec4& surface : FramePipeline::read_surface(view_, kContext))
+    silhouette.pixels.push_back(surface.w >= 0.0F ? 255 : 0);
+  write_yardstick_task(folder, loaded_->volume, front, silhouette);
 }
 
 Scene FrameTiming::turned(const Scene& front, int degrees) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,6 +44,9 @@ class FrameTiming {
   /// The camera turns by one degree a frame about the patient's axis, so that nothing is kept from
   /// frame to frame that a user's hand would not keep.
   FrameTime measure(const FrameCase& frame_case, Viewport size, const FrameBudget& budget);
+
+  /// What another renderer has to draw to do the work of a case without a lens, from the front.
+  void write_task(const FrameCase& frame_case, Viewport size, const std::filesystem::path& folder);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -20,6 +20,7 @@ struct Options {
   std::vector<std::string> volumes;
   std::vector<std::string> cases;
   std::string json_path;
+  std::string task_folder;
   FrameBudget budget;
   bool require_gpu = false;
 };
@@ -54,6 +55,8 @@ void measure_volume(const NamedVolume& volume, const Options& options, const gl:
     for (const FrameCase& frame_case : frame_cases()) {
       if (!is_wanted(frame_case.name, options.cases)) continue;
       report.add(frame_case.name, timing.measure(frame_case, size, options.budget));
+      if (!options.task_folder.empty() && frame_case.has_no_lens())
+        timing.write_task(frame_case, size, options.task_folder);
     }
   }
 }
@@ -86,6 +89,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--volumes", options.volumes, "Parts of the names of those to measure");
   app.add_option("--cases", options.cases, "Parts of the names of those to measure");
   app.add_option("--json", options.json_path, "File for the figures as JSON");
+  app.add_option("--write-task", options.task_folder,
+                 "Folder for what another renderer needs to draw the last case without a lens");
   app.add_option("--seconds", options.budget.seconds, "For each case")->capture_default_str();
   app.add_option("--frames", options.budget.most, "For each case at most")->capture_default_str();
   app.add_flag("--require-gpu", options.require_gpu, "Refuse software rendering");
