@@ -57,6 +57,9 @@ std::vector<ConfigKey> server_keys() {
       {"server", "sessions",
        integer(
            1, kMillion, [](Config & c) -> auto& { return c.net.sessions; })},
+      {"server", "queued_sessions",
+       integer(
+           0, kMillion, [](Config & c) -> auto& { return c.net.queued_sessions; })},
       {"server", "message_bytes",
        integer(
            1024, 64 * kMillion, [](Config & c) -> auto& { return c.net.message_bytes; })},

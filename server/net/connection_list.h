@@ -1,7 +1,6 @@
 // The connections that are open, to count them and to end them.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <list>
 #include <memory>
@@ -46,27 +45,6 @@ class ConnectionList {
 
   mutable std::mutex mutex_;
   Entries entries_;
-};
-
-/// A place among a limited number, given back when it goes.
-class Seat {
- public:
-  /// An empty seat where all are taken.
-  static Seat take(std::atomic<int>& taken, int most) {
-    if (taken.fetch_add(1) < most) return Seat(&taken);
-    taken.fetch_sub(1);
-    return Seat(nullptr);
-  }
-  Seat(Seat&& other) noexcept : taken_(std::exchange(other.taken_, nullptr)) {}
-  Seat& operator=(Seat&&) = delete;
-  ~Seat() {
-    if (taken_ != nullptr) taken_->fetch_sub(1);
-  }
-  explicit operator bool() const { return taken_ != nullptr; }
-
- private:
-  explicit Seat(std::atomic<int>* taken) : taken_(taken) {}
-  std::atomic<int>* taken_;
 };
 
 }  // namespace cutaway

@@ -112,16 +112,9 @@ asio::awaitable<bool> HttpConnection::respond(HttpResponse response) {
 }
 
 asio::awaitable<void> HttpConnection::upgrade(HttpRequest request) {
-  const Seat seat = Seat::take(context_.sessions, context_.settings.sessions);
-  web_socket_ = std::make_shared<WebSocket>(std::move(stream_), strand_, context_.settings);
-  if (seat) {
-    co_await web_socket_->serve(std::move(request), context_.make_session);
-    co_return;
-  }
-  const std::string most = std::to_string(context_.settings.sessions);
-  log().warn("a client was turned away: all {} sessions are taken", most);
-  co_await web_socket_->turn_away(std::move(request),
-                                  "all " + most + " sessions are taken; try again later");
+  web_socket_ = std::make_shared<WebSocket>(std::move(stream_), strand_, context_.settings,
+                                            context_.make_session);
+  co_await web_socket_->serve(std::move(request), context_.admission);
 }
 
 void HttpConnection::close() {

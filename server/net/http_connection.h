@@ -1,10 +1,10 @@
 // One TCP connection: requests one after the other, until one becomes a session.
 #pragma once
 
-#include <atomic>
 #include <boost/asio/ip/tcp.hpp>
 #include <memory>
 
+#include "net/admission.h"
 #include "net/connection_list.h"
 #include "net/web_socket.h"
 
@@ -15,7 +15,7 @@ struct ConnectionContext {
   NetSettings settings;
   HttpAnswers answers;
   SessionFactory make_session;
-  std::atomic<int> sessions{0};
+  Admission admission{settings.sessions, settings.queued_sessions};
 };
 
 /// Lives on its own strand.

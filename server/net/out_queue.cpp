@@ -13,9 +13,19 @@ void replace(std::optional<OutQueue::Message>& place, std::optional<OutQueue::Me
 
 }  // namespace
 
-bool OutQueue::put_text(std::string text) {
-  if (!texts_.empty() && waiting_text_bytes_ + text.size() > text_bytes_) return false;
-  waiting_text_bytes_ += text.size();
+bool OutQueue::put_text(std::string text) { return put({std::move(text), false}); }
+
+bool OutQueue::put_latest_text(std::string text) {
+  std::erase_if(texts_, [this](const Text& waiting) {
+    if (waiting.is_latest) waiting_text_bytes_ -= waiting.text.size();
+    return waiting.is_latest;
+  });
+  return put({std::move(text), true});
+}
+
+bool OutQueue::put(Text text) {
+  if (!texts_.empty() && waiting_text_bytes_ + text.text.size() > text_bytes_) return false;
+  waiting_text_bytes_ += text.text.size();
   texts_.push_back(std::move(text));
   return true;
 }
@@ -30,7 +40,7 @@ void OutQueue::put_still(std::vector<std::uint8_t> message, Done done) {
 
 std::optional<OutQueue::Message> OutQueue::take() {
   if (!texts_.empty()) {
-    Message message{std::move(texts_.front()), nullptr};
+    Message message{std::move(texts_.front().text), nullptr};
     texts_.pop_front();
     waiting_text_bytes_ -= std::get<std::string>(message.content).size();
     return message;

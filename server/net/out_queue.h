@@ -26,6 +26,8 @@ class OutQueue {
   /// False, and nothing taken, where others wait already and the bound would be exceeded: one text
   /// of any length is no sign of a client that does not read.
   [[nodiscard]] bool put_text(std::string text);
+  /// The same for a text that makes those of its kind that wait worthless: they are dropped.
+  [[nodiscard]] bool put_latest_text(std::string text);
   /// Replaces a frame that waits; that one's `done` gets false.
   void put_frame(std::vector<std::uint8_t> message, Done done);
   void put_still(std::vector<std::uint8_t> message, Done done);
@@ -35,9 +37,15 @@ class OutQueue {
   void abandon();
 
  private:
+  struct Text {
+    std::string text;
+    bool is_latest;
+  };
+  bool put(Text text);
+
   std::size_t text_bytes_;
   std::size_t waiting_text_bytes_ = 0;
-  std::deque<std::string> texts_;
+  std::deque<Text> texts_;
   std::optional<Message> frame_;
   std::deque<Message> stills_;
 };

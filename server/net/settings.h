@@ -15,6 +15,7 @@ struct NetSettings {
   int io_threads = 2;
   int connections = 512;                                      ///< open at once, of every kind
   int sessions = 64;                                          ///< WebSocket sessions at once
+  int queued_sessions = 100;                                  ///< clients that wait for one
   std::size_t message_bytes = std::size_t{64} * 1024;         ///< one text message from a client
   std::size_t dropped_message_bytes = std::size_t{16} << 20;  ///< a longer one ends the connection
   std::size_t queued_text_bytes = std::size_t{4} * 1024 * 1024;  ///< waiting for a client to read

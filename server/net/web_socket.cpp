@@ -1,8 +1,11 @@
 #include "net/web_socket.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/co_spawn.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <utility>
 
@@ -37,10 +40,11 @@ bool is_ordinary_end(const error_code& error) {
 }  // namespace
 
 WebSocket::WebSocket(beast::tcp_stream&& stream, const AsioStrand::Executor& strand,
-                     const NetSettings& settings)
+                     const NetSettings& settings, SessionFactory make_session)
     : stream_(std::move(stream)),
       executor_(strand),
       settings_(settings),
+      make_session_(std::move(make_session)),
       queue_(settings.queued_text_bytes),
       something_to_write_(strand, asio::steady_timer::time_point::max()),
       write_deadline_(strand),
@@ -62,11 +66,34 @@ asio::awaitable<bool> WebSocket::accept(HttpRequest request) {
   co_return !error;
 }
 
-asio::awaitable<void> WebSocket::serve(HttpRequest request, SessionFactory make_session) {
+asio::awaitable<void> WebSocket::serve(HttpRequest request, Admission& admission) {
   const auto self = shared_from_this();
   const bool accepted = co_await accept(std::move(request));
   if (!accepted) co_return;
-  start_session(make_session);
+  const std::unique_ptr<Admission::Ticket> ticket = queue_up(admission);
+  if (ticket) {
+    co_await serve_admitted();
+  } else {
+    co_await turn_away();
+  }
+}
+
+std::unique_ptr<Admission::Ticket> WebSocket::queue_up(Admission& admission) {
+  return admission.enter([weak = weak_from_this(), executor = executor_](int place) {
+    asio::post(executor, [weak, place] {
+      if (const auto self = weak.lock()) self->moved_to(place);
+    });
+  });
+}
+
+void WebSocket::moved_to(int place) {
+  if (closing_ || ended_) return;
+  if (place == 0) return start_session();
+  send_latest_text(json_text(queued_message(place)));
+}
+
+asio::awaitable<void> WebSocket::serve_admitted() {
+  const auto self = shared_from_this();
   asio::co_spawn(
       executor_, [self] { return self->write_all(); },
       [self](const std::exception_ptr& failure) {
@@ -80,25 +107,26 @@ asio::awaitable<void> WebSocket::serve(HttpRequest request, SessionFactory make_
   end();
 }
 
-void WebSocket::start_session(const SessionFactory& make_session) {
+void WebSocket::start_session() {
   try {
     session_ =
-        make_session(std::make_shared<AsioStrand>(executor_,
-                                                  [weak = weak_from_this()](const char* what) {
-                                                    if (const auto self = weak.lock())
-                                                      self->fail(what);
-                                                  }),
-                     *this);
+        make_session_(std::make_shared<AsioStrand>(executor_,
+                                                   [weak = weak_from_this()](const char* what) {
+                                                     if (const auto self = weak.lock())
+                                                       self->fail(what);
+                                                   }),
+                      *this);
     session_->start();
   } catch (const std::exception& failure) {
     fail(failure.what());
   }
 }
 
-asio::awaitable<void> WebSocket::turn_away(HttpRequest request, std::string reason) {
-  const auto self = shared_from_this();
-  const bool accepted = co_await accept(std::move(request));
-  if (!accepted) co_return;
+asio::awaitable<void> WebSocket::turn_away() {
+  const std::string reason =
+      fmt::format("all {} sessions are taken and {} clients wait for one; try again later",
+                  settings_.sessions, settings_.queued_sessions);
+  log().warn("a client was turned away: {}", reason);
   const OutQueue::Message message{
       json_text(error_message(Error({.code = "server-full", .message = reason}))), nullptr};
   const bool written = co_await write(message);
@@ -137,7 +165,8 @@ asio::awaitable<bool> WebSocket::read_message() {
 }
 
 Session::Reception WebSocket::deliver() {
-  if (!session_) return Session::Reception::taken;  // it has failed; the closing handshake goes on
+  // It waits for a seat, or has failed and the closing handshake goes on.
+  if (!session_) return Session::Reception::taken;
   try {
     return hand_to_session();
   } catch (const std::exception& failure) {
@@ -209,8 +238,15 @@ void WebSocket::stop_write_deadline() {
 }
 
 void WebSocket::send_text(std::string message) {
-  if (closing_ || ended_) return;
-  if (queue_.put_text(std::move(message))) {
+  if (!closing_ && !ended_) was_put(queue_.put_text(std::move(message)));
+}
+
+void WebSocket::send_latest_text(std::string message) {
+  if (!closing_ && !ended_) was_put(queue_.put_latest_text(std::move(message)));
+}
+
+void WebSocket::was_put(bool put) {
+  if (put) {
     something_to_write_.cancel();
     return;
   }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 
+#include "net/admission.h"
 #include "net/asio_strand.h"
 #include "net/awaitable.h"
 #include "net/http_answers.h"
@@ -27,12 +28,12 @@ using SessionFactory =
 class WebSocket final : public ClientSink, public std::enable_shared_from_this<WebSocket> {
  public:
   WebSocket(boost::beast::tcp_stream&& stream, const AsioStrand::Executor& strand,
-            const NetSettings& settings);
+            const NetSettings& settings, SessionFactory make_session);
 
-  /// Completes the upgrade and serves the session until the connection ends. Throws nothing.
-  boost::asio::awaitable<void> serve(HttpRequest request, SessionFactory make_session);
-  /// Completes the upgrade, says that the server is full, and closes with 1013.
-  boost::asio::awaitable<void> turn_away(HttpRequest request, std::string reason);
+  /// Completes the upgrade and serves the session until the connection ends. Where no seat is free
+  /// the client is told its place in the queue until one is; where that is full, too, it is told
+  /// so, and the connection closed with 1013. Throws nothing.
+  boost::asio::awaitable<void> serve(HttpRequest request, Admission& admission);
 
   /// Begins a closing handshake that says "going away". On the strand.
   void close();
@@ -40,6 +41,7 @@ class WebSocket final : public ClientSink, public std::enable_shared_from_this<W
   void abort();
 
   void send_text(std::string message) override;
+  void send_latest_text(std::string message) override;
   void send_frame(std::vector<std::uint8_t> message, std::function<void(bool)> done) override;
   void send_still(std::vector<std::uint8_t> message, std::function<void(bool)> done) override;
 
@@ -47,7 +49,11 @@ class WebSocket final : public ClientSink, public std::enable_shared_from_this<W
   using Stream = boost::beast::websocket::stream<boost::beast::tcp_stream, false>;
 
   boost::asio::awaitable<bool> accept(HttpRequest request);
-  void start_session(const SessionFactory& make_session);
+  std::unique_ptr<Admission::Ticket> queue_up(Admission& admission);
+  void moved_to(int place);
+  void start_session();
+  boost::asio::awaitable<void> serve_admitted();
+  boost::asio::awaitable<void> turn_away();
   boost::asio::awaitable<void> read_all();
   boost::asio::awaitable<bool> read_message();
   boost::asio::awaitable<void> write_all();
@@ -56,6 +62,7 @@ class WebSocket final : public ClientSink, public std::enable_shared_from_this<W
   boost::asio::awaitable<void> take_breath();
   Session::Reception deliver();
   Session::Reception hand_to_session();
+  void was_put(bool put);
   void begin_close(const boost::beast::websocket::close_reason& reason);
   void start_write_deadline();
   void stop_write_deadline();
@@ -65,6 +72,7 @@ class WebSocket final : public ClientSink, public std::enable_shared_from_this<W
   Stream stream_;
   AsioStrand::Executor executor_;
   NetSettings settings_;
+  SessionFactory make_session_;
   OutQueue queue_;
   boost::beast::flat_buffer incoming_;
   std::size_t incoming_bytes_ = 0;  ///< of the message, those dropped included

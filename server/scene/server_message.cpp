@@ -58,11 +58,16 @@ Json loading_message(const std::string& volume, LoadEnd end) {
   return {{"type", "loading"}, {"volume", volume}, {"stage", end}, {"fraction", 1.0}};
 }
 
+Json queued_message(int place) { return {{"type", "queued"}, {"place", place}}; }
+
+Json scene_message(std::uint32_t revision, const Scene& scene) {
+  return {{"type", "scene"}, {"revision", revision}, {"scene", scene_document(scene)}};
+}
+
 Json scene_message(std::uint32_t revision, const Scene& scene, const Json& volume) {
-  return {{"type", "scene"},
-          {"revision", revision},
-          {"scene", scene_document(scene)},
-          {"volume", volume}};
+  Json message = scene_message(revision, scene);
+  message["volume"] = volume;
+  return message;
 }
 
 Json picked_message(std::uint32_t request, const std::optional<PickedPoint>& point) {

@@ -34,6 +34,9 @@ struct ServerDescription {
 /// With the modules of the schemas and the styles that the program carries.
 Json capabilities_message(const ServerDescription& description);
 
+/// `place` 1 is the next to get a session.
+Json queued_message(int place);
+
 /// `listing` is {"volumes": [...], "refused": [...], "scanning": false}.
 Json volumes_message(const Json& listing);
 
@@ -41,7 +44,8 @@ enum class LoadEnd { ready, cancelled, failed };
 Json loading_message(const std::string& volume, LoadStage stage, double fraction);
 Json loading_message(const std::string& volume, LoadEnd end);
 
-/// `volume` is the summary of the open volume.
+Json scene_message(std::uint32_t revision, const Scene& scene);
+/// After a volume was opened; `volume` is its summary.
 Json scene_message(std::uint32_t revision, const Scene& scene, const Json& volume);
 
 enum class PickedBranch { focus, context };

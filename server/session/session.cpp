@@ -128,7 +128,12 @@ void Session::tell_scene() {
   if (!state_.scene()) return;
   scene_alarm_->clear();
   scene_told_at_ = ends_.strand->now();
-  tell(scene_message(state_.revision(), *state_.scene(), state_.volume()->summary()));
+  if (told_volume_ == state_.volume()) {
+    return ends_.client.send_latest_text(
+        json_text(scene_message(state_.revision(), *state_.scene())));
+  }
+  told_volume_ = state_.volume();
+  tell(scene_message(state_.revision(), *state_.scene(), told_volume_->summary()));
 }
 
 void Session::tell_volumes() { tell(volumes_message(ends_.volumes.listing())); }

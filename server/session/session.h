@@ -96,6 +96,7 @@ class Session {
   VolumeOpening opening_;
   std::optional<Pending> pending_;
   std::optional<TimePoint> scene_told_at_;
+  std::shared_ptr<const OpenVolume> told_volume_;
   std::unique_ptr<Alarm> scene_alarm_;
   Tether tether_;
   std::unique_ptr<OpenTicket> listing_watch_;

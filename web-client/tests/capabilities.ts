@@ -135,7 +135,7 @@ export const volume: VolumeSummary = {
   warnings: [],
 };
 
-export const sceneMessage: SceneStateMessage = {
+export const sceneMessage: SceneStateMessage & { volume: VolumeSummary } = {
   type: 'scene',
   revision: 1,
   volume,

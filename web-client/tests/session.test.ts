@@ -213,8 +213,12 @@ describe('a lost connection', () => {
     expect(harness.state.scene).toEqual(scene);
     harness.sent.length = 0;
     harness.emit({ kind: 'link', state: { phase: 'connected' } });
-    expect(harness.sent).toMatchObject([{ type: 'viewport', width_px: 800, height_px: 600 }]);
+    harness.say({ type: 'queued', place: 2 });
+    expect(harness.state.link).toEqual({ phase: 'queued', place: 2 });
+    expect(harness.sent).toEqual([]);
     harness.say(capabilities);
+    expect(harness.state.link).toEqual({ phase: 'connected' });
+    expect(harness.sent).toMatchObject([{ type: 'viewport', width_px: 800, height_px: 600 }]);
     harness.say(volumes);
     await vi.waitFor(() => expect(harness.scenes()).toHaveLength(1));
     expect(harness.scenes()[0]).toMatchObject({ replace: true, scene });
@@ -222,6 +226,13 @@ describe('a lost connection', () => {
 });
 
 describe('opening a volume', () => {
+  it('keeps what is known of the volume while messages say no more of it', () => {
+    harness.say(sceneMessage);
+    const { volume: _, ...later } = sceneMessage;
+    harness.say({ ...later, revision: 2 });
+    expect(harness.state.volume).toEqual(sceneMessage.volume);
+  });
+
   it('takes nothing from the old volume along, not even what was on its way', () => {
     harness.say(sceneMessage);
     harness.session.commands.orbit(100, 0);

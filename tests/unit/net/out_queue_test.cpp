@@ -45,6 +45,17 @@ TEST(OutQueue, RefusesTextsBeyondItsBound) {
   EXPECT_TRUE(queue.put_text("12345"));
 }
 
+TEST(OutQueue, TheLatestOfItsKindReplacesTheWaitingOneAndNothingElse) {
+  OutQueue queue(10);
+  EXPECT_TRUE(queue.put_latest_text("1234"));
+  EXPECT_TRUE(queue.put_text("text"));
+  EXPECT_TRUE(queue.put_latest_text("abcdef"));
+  EXPECT_FALSE(queue.put_text("x"));
+  EXPECT_EQ(text_of(queue.take()), "text");
+  EXPECT_EQ(text_of(queue.take()), "abcdef");
+  EXPECT_FALSE(queue.take().has_value());
+}
+
 TEST(OutQueue, TakesOneTextOfAnyLength) {
   OutQueue queue(10);
   EXPECT_TRUE(queue.put_text("a list of many volumes"));

@@ -176,6 +176,7 @@ TEST(WebSocket, TextThatIsNotUtf8ClosesWith1007) {
 TEST(WebSocket, TheServerFullIsSaidAndClosedWith1013) {
   NetSettings settings = testing::test_settings();
   settings.sessions = 1;
+  settings.queued_sessions = 0;
   TestServer server(settings);
   {
     SocketClient first(server.port());
@@ -190,6 +191,25 @@ TEST(WebSocket, TheServerFullIsSaidAndClosedWith1013) {
     SocketClient third(server.port());
     if (std::get<Json>(third.read().value())["type"] == "capabilities") break;
   }
+}
+
+TEST(WebSocket, WhoFindsNoSeatIsToldItsPlaceAndServedInItsTurn) {
+  NetSettings settings = testing::test_settings();
+  settings.sessions = 1;
+  TestServer server(settings);
+  auto first = std::make_unique<SocketClient>(server.port());
+  first->read_until("volumes");
+  auto second = std::make_unique<SocketClient>(server.port());
+  EXPECT_EQ(std::get<Json>(second->read().value()), Json::parse(R"({"type":"queued","place":1})"));
+  SocketClient third(server.port());
+  EXPECT_EQ(std::get<Json>(third.read().value())["place"], 2);
+  expect_undisturbed((first->show_ball(), *first), 5.0);
+  second.reset();  // gives up
+  EXPECT_EQ(std::get<Json>(third.read().value())["place"], 1);
+  first.reset();
+  EXPECT_EQ(std::get<Json>(third.read().value())["type"], "capabilities");
+  third.show_ball();
+  EXPECT_TRUE(third.read_frame().has_value());
 }
 
 TEST(WebSocket, AClientThatNeverAcknowledgesGetsTwoFramesAndDisturbsNobody) {

@@ -69,6 +69,7 @@ TEST(ClientMessage, AnUnderstoodOneIsEchoed) {
 
 TEST(ServerMessage, EachFollowsTheSchema) {
   expect_valid(capabilities_message({"cutaway 0.1.0", "none", true, {}, "Not for diagnostic use"}));
+  expect_valid(queued_message(3));
   expect_valid(volumes_message(Json::parse(R"({"volumes": [], "refused": []})")));
   for (const LoadStage stage :
        {LoadStage::read, LoadStage::decode, LoadStage::min_max, LoadStage::upload})
@@ -79,6 +80,7 @@ TEST(ServerMessage, EachFollowsTheSchema) {
   expect_valid(picked_message(1, PickedPoint{{1, 2, 3}, -100.0, "HU", PickedBranch::context}));
   const Scene scene = resolve_scene(Json::object(), ball_facts(), {640, 480});
   expect_valid(scene_message(4, scene, summary()));
+  expect_valid(scene_message(5, scene));
 }
 
 TEST(ServerMessage, SaysWhichPartOfTheWireWords) {

@@ -144,6 +144,7 @@ class FakeClient final : public ClientSink {
   };
 
   void send_text(std::string message) override { texts.push_back(Json::parse(message)); }
+  void send_latest_text(std::string message) override { send_text(std::move(message)); }
   void send_frame(std::vector<std::uint8_t> message, std::function<void(bool)> done) override {
     frames.push_back({decode_frame(message).header, std::move(done)});
   }

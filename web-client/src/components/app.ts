@@ -4,6 +4,7 @@ import { css, html, type PropertyValues } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import '@awesome.me/webawesome/dist/components/icon/icon.js';
 import { shared } from '../styles/shared.ts';
+import { queueText } from '../state/link_text.ts';
 import './help_dialog.ts';
 import './panel.ts';
 import { SessionElement } from './session_element.ts';
@@ -116,6 +117,7 @@ export class CutawayApp extends SessionElement {
   private announcement(): string {
     const { link, loading, volume, lens_follows, awaits_volume } = this.state;
     if (link.phase === 'waiting') return `Disconnected: ${link.reason}. Trying again.`;
+    if (link.phase === 'queued') return queueText(link.place);
     if (loading) return `Opening: ${loading.stage.replace('_', ' ')}`;
     if (awaits_volume) return 'Looking for volumes';
     if (lens_follows) return 'The lens follows the pointer. Escape ends it.';

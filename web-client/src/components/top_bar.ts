@@ -9,6 +9,7 @@ import { SessionElement } from './session_element.ts';
 const LINK_TITLES: Readonly<Record<LinkState['phase'], string>> = {
   connecting: 'Connecting',
   connected: 'Connected',
+  queued: 'In the queue',
   waiting: 'Disconnected',
 };
 
@@ -80,6 +81,7 @@ export class TopBar extends SessionElement {
       .connected .dot {
         background: var(--good);
       }
+      .queued .dot,
       .waiting .dot {
         background: var(--problem);
       }

@@ -8,6 +8,7 @@ import { picturePoint } from '../interaction/picture_point.ts';
 import { PointerGestures } from '../interaction/pointer_gestures.ts';
 import { observeViewport, withinLimits } from '../interaction/viewport_size.ts';
 import { listenToWheel } from '../interaction/wheel.ts';
+import { queueText } from '../state/link_text.ts';
 import type { Viewport } from '../view/camera.ts';
 import { shared } from '../styles/shared.ts';
 import './lens_overlay.ts';
@@ -171,7 +172,7 @@ export class CutawayViewport extends SessionElement {
 
   private emptyNote() {
     const { shown, loading, link, capabilities, volumes, awaits_volume } = this.state;
-    if (shown || loading || link.phase === 'waiting') return nothing;
+    if (shown || loading || link.phase === 'waiting' || link.phase === 'queued') return nothing;
     const empty = capabilities !== undefined && volumes.length === 0;
     const coming = awaits_volume ? 'Looking for volumes…' : 'Preparing the picture…';
     const waiting = link.phase === 'connecting' ? 'Connecting…' : coming;
@@ -181,6 +182,8 @@ export class CutawayViewport extends SessionElement {
 
   private offlineBanner() {
     const { link } = this.state;
+    if (link.phase === 'queued')
+      return html`<div class="banner"><span>${queueText(link.place)}</span></div>`;
     if (link.phase !== 'waiting') return nothing;
     return html`<div class="banner">
       <span>Reconnecting: ${link.reason}.</span>

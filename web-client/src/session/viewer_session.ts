@@ -3,7 +3,12 @@ import { errorDetail, errorTitle } from '../state/error_text.ts';
 import { Store } from '../state/store.ts';
 import { INITIAL_STATE, type ViewerState } from '../state/viewer_state.ts';
 import { Counter } from '../protocol/counter.ts';
-import type { ErrorMessage, LoadingMessage, ServerMessage } from '../protocol/messages.ts';
+import type {
+  CapabilitiesMessage,
+  ErrorMessage,
+  LoadingMessage,
+  ServerMessage,
+} from '../protocol/messages.ts';
 import { WorkerStream, type Stream } from '../stream/stream.ts';
 import type { FromWorker, LinkState, ShownFrame } from '../stream/worker_messages.ts';
 import { Commands } from './commands.ts';
@@ -67,8 +72,13 @@ export class ViewerSession {
   private onLink(link: LinkState): void {
     this.previews.restart();
     this.store.update({ link });
-    if (link.phase !== 'connected') return;
-    this.store.update({ loading: undefined, capabilities: undefined });
+    if (link.phase === 'connected')
+      this.store.update({ loading: undefined, capabilities: undefined });
+  }
+
+  /** The server heeds nothing that comes before its capabilities went out. */
+  private onCapabilities(capabilities: CapabilitiesMessage): void {
+    this.store.update({ capabilities, link: { phase: 'connected' } });
     this.link.restart();
     this.opening.restart();
     if (this.store.state.viewport) this.link.sendViewport(this.store.state.viewport);
@@ -76,8 +86,10 @@ export class ViewerSession {
 
   private onMessage(message: ServerMessage): void {
     switch (message.type) {
+      case 'queued':
+        return this.store.update({ link: { phase: 'queued', place: message.place } });
       case 'capabilities':
-        return this.store.update({ capabilities: message });
+        return this.onCapabilities(message);
       case 'volumes': {
         const { volumes, refused, scanning = false } = message;
         this.store.update({ volumes, refused, scanning });
@@ -87,7 +99,8 @@ export class ViewerSession {
         return this.onLoading(message);
       case 'scene': {
         this.link.told(message);
-        return this.store.update({ volume: message.volume });
+        if (message.volume) this.store.update({ volume: message.volume });
+        return;
       }
       case 'error':
         return this.onError(message);

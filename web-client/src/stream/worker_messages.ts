@@ -17,6 +17,8 @@ export interface ShownFrame extends FrameHeader {
 export type LinkState =
   | { readonly phase: 'connecting' }
   | { readonly phase: 'connected' }
+  /** The server is full; `place` 1 is the next to be let in. */
+  | { readonly phase: 'queued'; readonly place: number }
   /** `reason` in words, for the user. */
   | { readonly phase: 'waiting'; readonly retry_in_ms: number; readonly reason: string };
 
