@@ -8,6 +8,13 @@
 
 namespace cutaway {
 
+/// All that the planes depend on.
+struct ConvertKey {
+  std::uint64_t picture_version = 0;  ///< of the composite
+  PixelLayout layout = PixelLayout::yuv420;
+  bool operator==(const ConvertKey&) const = default;
+};
+
 class ConvertPass {
  public:
   explicit ConvertPass(const gl::ShaderLibrary& shaders);

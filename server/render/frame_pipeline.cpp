@@ -61,7 +61,10 @@ std::vector<glm::vec4> texels_of(const gl::Texture2D& texture) {
 }  // namespace
 
 StageCounts ViewState::counts() const {
-  StageCounts counts{.ray_cast = ray_cast_.runs(), .composite = composite_.runs()};
+  StageCounts counts{.entry = entry_.runs(),
+                     .ray_cast = ray_cast_.runs(),
+                     .composite = composite_.runs(),
+                     .convert = convert_.runs()};
   for (std::size_t i = 0; i < kBranches; ++i) {
     counts.shade[i] = branches_[i].shade.runs();
     for (const auto& filter : branches_[i].filters) counts.filters[i] += filter.runs();
@@ -100,9 +103,10 @@ FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& vo
   };
   const auto context = branch(kContext, scene.context);
   const auto focus = branch(kFocus, scene.focus);
-  composite(draft, {context.version, focus.version, context.texture, focus.texture,
-                    scene.background, magic_lens(scene, rays.rays)});
-  convert(draft);
+  const std::uint64_t picture =
+      composite(draft, {context.version, focus.version, context.texture, focus.texture,
+                        scene.background, magic_lens(scene, rays.rays)});
+  if (settings.layout != PixelLayout::rgba) convert(draft, {picture, settings.layout});
   return plan;
 }
 
@@ -185,45 +189,50 @@ FramePipeline::BranchPicture FramePipeline::filter(const Draft& draft, BranchInd
   for (std::size_t i = 0; i < filters.size(); ++i) {
     const ColourTarget& target = draft.buffers.filtered(index, i);
     const FilterKey key{picture.version, shaded, filters[i], draft.settings.resolution_scale};
-    picture.version = stages[i].schedule(
-        key, draft.plan,
-        {.name = filters[i].name,
-         .region = draft.regions.branches[index],
-         .begin = [&target] { target.framebuffer.clear({kNothing}); },
-         .draw =
-             [this, key, &buffers, &target, input = picture.texture](const gl::PixelRect& strip) {
-               filter_pass_.run(key, {*input, buffers.silhouette, buffers.surface},
-                                target.framebuffer, strip, triangle_);
-             }});
+    picture.version =
+        stages[i].schedule(key, draft.plan,
+                           {.name = filters[i].name,
+                            .region = draft.regions.branches[index],
+                            .begin = [&target] { target.framebuffer.clear({kNothing}); },
+                            .draw =
+                                [this, key, &buffers, &target, input = picture.texture,
+                                 is_cut = index == kContext](const gl::PixelRect& strip) {
+                                  filter_pass_.run(key,
+                                                   {.colour = *input,
+                                                    .silhouette = buffers.silhouette,
+                                                    .surface = buffers.surface,
+                                                    .is_cut = is_cut},
+                                                   target.framebuffer, strip, triangle_);
+                                }});
     picture.texture = &target.texture;
   }
   return picture;
 }
 
-void FramePipeline::composite(const Draft& draft, const CompositeKey& key) {
+std::uint64_t FramePipeline::composite(const Draft& draft, const CompositeKey& key) {
   const ViewBuffers& buffers = draft.buffers;
-  draft.view.composite_.schedule(key, draft.plan,
-                                 {.name = "composite",
-                                  .region = {{0, 0}, buffers.picture_size_px()},
-                                  .begin = {},
-                                  .draw = [this, key, &buffers](const gl::PixelRect& strip) {
-                                    composite_pass_.run(key, buffers.picture.framebuffer, strip,
-                                                        triangle_);
-                                  }});
+  return draft.view.composite_.schedule(key, draft.plan,
+                                        {.name = "composite",
+                                         .region = {{0, 0}, buffers.picture_size_px()},
+                                         .begin = {},
+                                         .draw = [this, key, &buffers](const gl::PixelRect& strip) {
+                                           composite_pass_.run(key, buffers.picture.framebuffer,
+                                                               strip, triangle_);
+                                         }});
 }
 
 // Its planes differ in size, so it is drawn as one; it is the cheapest pass.
-void FramePipeline::convert(const Draft& draft) {
-  const PixelLayout layout = draft.settings.layout;
-  if (layout == PixelLayout::rgba) return;
+void FramePipeline::convert(const Draft& draft, const ConvertKey& key) {
   ViewBuffers& buffers = draft.buffers;
-  buffers.prepare_planes(layout);
-  draft.plan.add({.name = "convert",
-                  .region = kIndivisible,
-                  .begin = {},
-                  .draw = [this, layout, &buffers](const gl::PixelRect&) {
-                    convert_pass_.run(layout, buffers, triangle_);
-                  }});
+  buffers.prepare_planes(key.layout);
+  draft.view.convert_.schedule(
+      key, draft.plan,
+      {.name = "convert",
+       .region = kIndivisible,
+       .begin = {},
+       .draw = [this, layout = key.layout, &buffers](const gl::PixelRect&) {
+         convert_pass_.run(layout, buffers, triangle_);
+       }});
 }
 
 void FramePipeline::start_readback(const ViewState& view, PixelLayout layout,

@@ -25,10 +25,12 @@ namespace cutaway {
 
 /// How often each stage has run for a view: proof of what a change costs.
 struct StageCounts {
+  std::uint64_t entry = 0;
   std::uint64_t ray_cast = 0;
   std::array<std::uint64_t, kBranches> shade{};
   std::array<std::uint64_t, kBranches> filters{};
   std::uint64_t composite = 0;
+  std::uint64_t convert = 0;
   bool operator==(const StageCounts&) const = default;
 };
 
@@ -50,6 +52,7 @@ class ViewState {
   Stage<RayCastKey> ray_cast_;
   std::array<Branch, kBranches> branches_;
   Stage<CompositeKey> composite_;
+  Stage<ConvertKey> convert_;
 };
 
 /// Owns the programs. Render thread only.
@@ -101,8 +104,8 @@ class FramePipeline {
   BranchPicture resolve(const Draft& draft, BranchIndex index, std::uint64_t layers_version);
   BranchPicture filter(const Draft& draft, BranchIndex index, const std::vector<Module>& filters,
                        BranchPicture picture);
-  void composite(const Draft& draft, const CompositeKey& key);
-  void convert(const Draft& draft);
+  std::uint64_t composite(const Draft& draft, const CompositeKey& key);
+  void convert(const Draft& draft, const ConvertKey& key);
 
   gl::FullscreenTriangle triangle_;
   gl::ShaderLibrary shaders_;

@@ -1,5 +1,6 @@
 #include "scene/lens_placement.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -11,28 +12,30 @@ namespace cutaway {
 
 namespace {
 
-constexpr int kRaysASide = 21;  // odd, so that one of them is the view's middle
+/// Of a square grid about the view's middle, so that a view of another shape finds the same place.
+constexpr int kRaysToTheEdge = 10;
 constexpr double kNoHit = std::numeric_limits<double>::infinity();
 
-/// What focus in the lens is worth against its place: a lens at the view's edge has to fill this
-/// much more of its outline than one in the middle.
+/// A lens that fills less of its outline than this is as good as empty. A spine is out of reach
+/// of a lens on the belly: then the lens leaves the middle of the view, or is larger or deeper, at
+/// a price in what it fills.
+constexpr double kNearlyEmpty = 0.25;
 constexpr double kPriceOfTheEdge = 0.4;
-
-/// A lens on the surface that fills less of its outline than this shows next to nothing. A spine
-/// is out of reach of a lens on the belly: then it may be larger and lie deeper, at a price.
-constexpr double kNextToNothing = 0.1;
 constexpr double kPriceOfDepth = 0.2;  // for a whole radius
 constexpr double kPriceOfSize = 0.2;   // for a whole radius more
-
-/// What another place has to be better by, so that a lens leaves the middle for a reason only.
-constexpr double kWorthLeavingTheMiddle = 0.1;
 
 /// One ray of the view with the distances (mm) at which it first meets each surface.
 struct ProbedRay {
   ViewRay ray;
   double context_mm = kNoHit;
   double focus_mm = kNoHit;
-  double off_middle = 0.0;  ///< 0 in the middle of the view, 1 at the nearer edges
+  glm::ivec2 from_middle{0};  ///< in rays of the grid
+
+  bool is_in_the_middle() const { return from_middle == glm::ivec2(0); }
+  bool is_anywhere() const { return true; }
+  bool is_above_or_below_the_middle() const { return from_middle.x == 0; }
+  /// 0 in the middle of the view, 1 at the nearer edges.
+  double off_middle() const { return glm::length(glm::dvec2(from_middle)) / kRaysToTheEdge; }
 
   glm::dvec3 context_point_mm(double deeper_mm) const {
     return ray.origin_mm + (context_mm + deeper_mm) * ray.direction;
@@ -45,25 +48,23 @@ double distance_to_surface_mm(const VolumeFacts& volume, const ViewRay& ray,
   return point ? glm::distance(ray.origin_mm, *point) : kNoHit;
 }
 
-ProbedRay probe(const VolumeFacts& volume, const LensPlacementView& view, glm::dvec2 position_px) {
-  ProbedRay probed{.ray = ray_through(view.camera, view.viewport, position_px)};
+ProbedRay probe(const VolumeFacts& volume, const LensPlacementView& view, glm::ivec2 from_middle) {
+  const glm::dvec2 middle_px{0.5 * view.viewport.width_px, 0.5 * view.viewport.height_px};
+  const double apart_px = std::min(middle_px.x, middle_px.y) / (kRaysToTheEdge + 0.5);
+  const glm::dvec2 position_px = middle_px + apart_px * glm::dvec2(from_middle);
+  ProbedRay probed{.ray = ray_through(view.camera, view.viewport, position_px),
+                   .from_middle = from_middle};
   probed.context_mm = distance_to_surface_mm(volume, probed.ray, view.context);
   if (probed.context_mm != kNoHit)
     probed.focus_mm = distance_to_surface_mm(volume, probed.ray, view.focus);
-  const glm::dvec2 middle_px{0.5 * view.viewport.width_px, 0.5 * view.viewport.height_px};
-  probed.off_middle =
-      glm::distance(position_px, middle_px) / std::max(1.0, std::min(middle_px.x, middle_px.y));
   return probed;
 }
 
 std::vector<ProbedRay> probe_view(const VolumeFacts& volume, const LensPlacementView& view) {
   std::vector<ProbedRay> rays;
-  const glm::dvec2 size_px{view.viewport.width_px, view.viewport.height_px};
-  for (int row = 0; row < kRaysASide; ++row) {
-    for (int column = 0; column < kRaysASide; ++column) {
-      const glm::dvec2 cell(column, row);
-      rays.push_back(probe(volume, view, (cell + 0.5) / double(kRaysASide) * size_px));
-    }
+  for (int y = -kRaysToTheEdge; y <= kRaysToTheEdge; ++y) {
+    for (int x = -kRaysToTheEdge; x <= kRaysToTheEdge; ++x)
+      rays.push_back(probe(volume, view, {x, y}));
   }
   return rays;
 }
@@ -102,9 +103,7 @@ struct Form {
   double depth = 0.0;
   double size = 1.0;
 };
-constexpr std::array kOnTheSurface = {Form{}};
-constexpr std::array kAnyForm = {Form{},         Form{0.35, 1.0}, Form{0.7, 1.0},
-                                 Form{0.0, 1.4}, Form{0.35, 1.4}, Form{0.7, 1.4}};
+using Forms = std::vector<Form>;
 
 struct Choice {
   PlacedLens lens;
@@ -118,43 +117,66 @@ Choice choice_at(const ProbedRay& candidate, const Form& form, const std::vector
   choice.lens.radius_mm = form.size * radius_mm;
   choice.lens.centre_mm = candidate.context_point_mm(form.depth * choice.lens.radius_mm);
   choice.share = share_with_focus(rays, choice.lens.centre_mm, choice.lens.radius_mm);
-  choice.worth = choice.share - kPriceOfTheEdge * candidate.off_middle -
+  choice.worth = choice.share - kPriceOfTheEdge * candidate.off_middle() -
                  kPriceOfDepth * form.depth - kPriceOfSize * (form.size - 1.0);
   return choice;
 }
 
-template <typename Forms>
-Choice best_choice(const std::vector<ProbedRay>& rays, const Forms& forms, double radius_mm) {
-  Choice best;
+/// The places and forms among which one is chosen.
+struct Candidates {
+  bool (ProbedRay::*are_these)() const;
+  Forms forms;
+};
+
+bool shows_more(const Choice& a, const Choice& b) {
+  const bool a_shows = a.share >= kNearlyEmpty;
+  const bool b_shows = b.share >= kNearlyEmpty;
+  if (a_shows != b_shows) return a_shows;
+  return a_shows ? a.worth > b.worth : a.share > b.share;
+}
+
+/// The best choice of them; nothing where the view misses the context's surface at all of them.
+std::optional<Choice> best_choice(const std::vector<ProbedRay>& rays, const Candidates& candidates,
+                                  double radius_mm) {
+  std::optional<Choice> best;
   for (const ProbedRay& candidate : rays) {
-    if (candidate.context_mm == kNoHit) continue;
-    for (const Form& form : forms) {
+    if (candidate.context_mm == kNoHit || !(candidate.*candidates.are_these)()) continue;
+    for (const Form& form : candidates.forms) {
       const Choice choice = choice_at(candidate, form, rays, radius_mm);
-      if (choice.worth > best.worth) best = choice;
+      if (!best || shows_more(choice, *best)) best = choice;
     }
   }
   return best;
 }
 
-/// The lens leaves the middle of the view for a reason only.
-Choice best_on_the_surface(const std::vector<ProbedRay>& rays, double radius_mm) {
-  const Choice best = best_choice(rays, kOnTheSurface, radius_mm);
-  const ProbedRay& middle = rays.at(rays.size() / 2);
-  if (middle.context_mm == kNoHit) return best;
-  const Choice in_the_middle = choice_at(middle, {}, rays, radius_mm);
-  return best.worth > in_the_middle.worth + kWorthLeavingTheMiddle ? best : in_the_middle;
+/// In the order in which they are tried.
+const std::array<Candidates, 5>& all_candidates() {
+  static const Forms on_the_surface{{}};
+  static const Forms any{{}, {0.35, 1.0}, {0.7, 1.0}, {0.0, 1.4}, {0.35, 1.4}, {0.7, 1.4}};
+  static const std::array<Candidates, 5> candidates{
+      Candidates{&ProbedRay::is_in_the_middle, on_the_surface},
+      Candidates{&ProbedRay::is_above_or_below_the_middle, on_the_surface},
+      Candidates{&ProbedRay::is_above_or_below_the_middle, any},
+      Candidates{&ProbedRay::is_anywhere, on_the_surface},
+      Candidates{&ProbedRay::is_anywhere, any}};
+  return candidates;
 }
 
 }  // namespace
 
+// Who shows something is taken; else the one that shows most, where all show nothing the first.
 std::optional<PlacedLens> placed_lens(const VolumeFacts& volume, const LensPlacementView& view,
                                       double radius_mm) {
   if (!volume.first_surface_mm) return std::nullopt;
   const std::vector<ProbedRay> rays = probe_view(volume, view);
-  Choice best = best_on_the_surface(rays, radius_mm);
-  if (best.worth == -kNoHit) return std::nullopt;
-  if (best.share < kNextToNothing) best = best_choice(rays, kAnyForm, radius_mm);
-  return best.lens;
+  std::optional<Choice> best;
+  for (const Candidates& candidates : all_candidates()) {
+    const std::optional<Choice> choice = best_choice(rays, candidates, radius_mm);
+    if (choice && (!best || shows_more(*choice, *best))) best = choice;
+    if (best && best->share >= kNearlyEmpty) break;
+  }
+  if (!best) return std::nullopt;
+  return best->lens;
 }
 
 }  // namespace cutaway

@@ -21,9 +21,10 @@ struct PlacedLens {
   double radius_mm = 0.0;
 };
 
-/// Of radius `radius_mm` on the context's surface, as near to the middle of the view as there is
-/// something of the focus to show; where no such place shows any, up to 1.4 times as large and up
-/// to 0.7 of its radius under the surface. Nothing where the view misses the context's surface.
+/// Of radius `radius_mm` on the context's surface in the middle of the view. Where less than a
+/// quarter of it would show the focus: above or below the middle, there also up to 1.4 times
+/// as large and up to 0.7 of its radius under the surface; else beside the middle. Nothing where
+/// the view misses the context's surface. Another shape of the viewport leaves the place as it is.
 /// Looks along some 400 rays: tens of milliseconds for a large volume. Thread-safe.
 std::optional<PlacedLens> placed_lens(const VolumeFacts& volume, const LensPlacementView& view,
                                       double radius_mm);

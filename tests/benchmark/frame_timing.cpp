@@ -48,8 +48,8 @@ double milliseconds_between(std::chrono::steady_clock::time_point begin,
 }
 
 /// Whether another frame fits a half of the budget.
-bool wants_more(const FrameBudget& budget, int frames, double spent_ms) {
-  if (frames < budget.least) return true;
+bool wants_more(const FrameBudget& budget, int least, int frames, double spent_ms) {
+  if (frames < least) return true;
   return frames < budget.most && spent_ms < 500.0 * budget.seconds;
 }
 
@@ -115,7 +115,7 @@ void FrameTiming::measure_whole(const Scene& front, const FrameBudget& budget, F
   std::vector<double> device_ms;
   std::vector<double> bytes;
   double spent_ms = 0.0;
-  while (wants_more(budget, static_cast<int>(frames_ms.size()), spent_ms)) {
+  while (wants_more(budget, budget.least, static_cast<int>(frames_ms.size()), spent_ms)) {
     const Scene scene = turned(front, static_cast<int>(frames_ms.size()) + 1);
     const auto begun = Clock::now();
     bytes.push_back(static_cast<double>(draw(scene)));
@@ -143,7 +143,9 @@ void FrameTiming::measure_stages(const Scene& front, const FrameBudget& budget, 
   };
   pipeline_.observe(stage_ended);
   const auto begun = Clock::now();
-  for (int i = 0; wants_more(budget, i, milliseconds_between(begun, Clock::now())); ++i) {
+  for (int i = 0;
+       wants_more(budget, budget.least_for_stages, i, milliseconds_between(begun, Clock::now()));
+       ++i) {
     const Scene scene = turned(front, -1 - i);
     samples.begin_frame();
     last = Clock::now();

@@ -27,11 +27,13 @@ struct FrameTime {
   double jpeg_bytes = 0.0;        ///< median
 };
 
-/// How long a case may take: until `seconds` are over, but `least` frames at least and `most` at
-/// most, half of them for the whole frame and half for the stages.
+/// How long a case may take: until `seconds` are over, half of them for the whole frame and half
+/// for the stages, but `least` whole frames at least, `least_for_stages` more, and `most` of each
+/// at most.
 struct FrameBudget {
   double seconds = 1.0;
   int least = 5;
+  int least_for_stages = 5;
   int most = 200;
 };
 

@@ -93,6 +93,8 @@ void add_options(CLI::App& app, Options& options) {
                  "Folder for what another renderer needs to draw the last case without a lens");
   app.add_option("--seconds", options.budget.seconds, "For each case")->capture_default_str();
   app.add_option("--frames", options.budget.most, "For each case at most")->capture_default_str();
+  app.add_option("--least-frames", options.budget.least, "Whole frames for each case at least")
+      ->capture_default_str();
   app.add_flag("--require-gpu", options.require_gpu, "Refuse software rendering");
 }
 

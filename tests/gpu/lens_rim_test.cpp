@@ -139,5 +139,46 @@ TEST(LensRim, OfTheContextHasNoLineAlongTheBiteThatTheLensTakesOfALimb) {
   }
 }
 
+/// Pixels where a line of `source` darkens by much more than the ball's and the cavity's own bend.
+int dark_pixels(const char* source, const Rendered& plain, const std::vector<glm::ivec2>& pixels,
+                const std::shared_ptr<const LoadedVolume>& ball) {
+  Json document = bitten_ball(true, "cutaway", -10.0);
+  document["context"]["filters"][0]["source"] = source;
+  document["context"]["filters"][0]["depth_step_mm"] = 100.0;
+  const BytePicture lines = render(document, ball).picture;
+  return static_cast<int>(std::ranges::count_if(pixels, [&](glm::ivec2 pixel) {
+    return plain.picture.rgb(pixel).r - lines.rgb(pixel).r > 60;
+  }));
+}
+
+/// Whether the context is seen through the lens, by ray.
+std::vector<bool> seen_through_lens() {
+  std::vector<bool> result;
+  for (const glm::vec4& surface :
+       FramePipeline::read_surface(GpuHarness::instance().view(), kContext))
+    result.push_back(glm::length(glm::vec3(surface)) > 1.5F);
+  return result;
+}
+
+TEST(LensRim, OfTheContextHasNoLineOfAnySourceBetweenSkinAndCavity) {
+  const auto ball = load(sphere_volume(centred_geometry(96), 40.0));
+  Json document = bitten_ball(true, "cutaway", -10.0);
+  document["context"]["filters"] = Json::array();
+  const Rendered plain = render(document, ball);
+  const std::vector<bool> through = seen_through_lens();
+  std::vector<glm::ivec2> rim;
+  for (int y = 5; y < kSize.y - 5; ++y) {
+    for (int x = 5; x < kSize.x - 5; ++x) {
+      const auto at = [&](int dx) {
+        return through[y * kRays * kSize.x * kRays + (x + dx) * kRays];
+      };
+      if (plain.context.all_round({x, y}, 5) && at(0) != at(1)) rim.emplace_back(x, y);
+    }
+  }
+  EXPECT_GT(rim.size(), 40);
+  for (const char* source : {"colour", "luma", "depth", "normal"})
+    EXPECT_EQ(dark_pixels(source, plain, rim, ball), 0) << source;
+}
+
 }  // namespace
 }  // namespace cutaway::test

@@ -20,7 +20,9 @@ class Stages : public testing::Test {
 
   void render() {
     const Scene scene = scene_for(document_, volume_, {80, 60});
-    gpu_.pipeline().render(view_, scene, gpu_volume_, settings_for(scene));
+    RenderSettings settings = settings_for(scene);
+    settings.layout = PixelLayout::yuv420;
+    gpu_.pipeline().render(view_, scene, gpu_volume_, settings);
   }
 
   /// What one more render adds to the counts.
@@ -28,10 +30,12 @@ class Stages : public testing::Test {
     const StageCounts before = view_.counts();
     render();
     const StageCounts after = view_.counts();
-    return {.ray_cast = after.ray_cast - before.ray_cast,
+    return {.entry = after.entry - before.entry,
+            .ray_cast = after.ray_cast - before.ray_cast,
             .shade = {after.shade[0] - before.shade[0], after.shade[1] - before.shade[1]},
             .filters = {after.filters[0] - before.filters[0], after.filters[1] - before.filters[1]},
-            .composite = after.composite - before.composite};
+            .composite = after.composite - before.composite,
+            .convert = after.convert - before.convert};
   }
 
   GpuHarness& gpu_ = GpuHarness::instance();  ///< first: what follows needs its context
@@ -45,22 +49,23 @@ TEST_F(Stages, AnUnchangedSceneCostsNothing) { EXPECT_EQ(cost_of_render(), Stage
 
 TEST_F(Stages, AToneSliderNeverCastsARayAndLeavesTheOtherBranchAlone) {
   document_["focus"]["shading"] = {{"name", "tone"}, {"detail", 0.3}};
-  EXPECT_EQ(cost_of_render(), (StageCounts{.shade = {0, 1}, .filters = {0, 1}, .composite = 1}));
+  EXPECT_EQ(cost_of_render(),
+            (StageCounts{.shade = {0, 1}, .filters = {0, 1}, .composite = 1, .convert = 1}));
 }
 
 TEST_F(Stages, AFilterParameterRunsThatFilterAndTheComposite) {
   document_["context"]["filters"] = {{{"name", "kuwahara"}, {"radius", 3}}};
-  EXPECT_EQ(cost_of_render(), (StageCounts{.filters = {1, 0}, .composite = 1}));
+  EXPECT_EQ(cost_of_render(), (StageCounts{.filters = {1, 0}, .composite = 1, .convert = 1}));
 }
 
 TEST_F(Stages, AFilterBehindAnUnchangedOneRunsAlone) {
   document_["context"]["filters"] = {{{"name", "kuwahara"}, {"radius", 2}},
                                      {{"name", "sobel"}, {"strength", 0.5}}};
-  EXPECT_EQ(cost_of_render(), (StageCounts{.filters = {1, 0}, .composite = 1}));
+  EXPECT_EQ(cost_of_render(), (StageCounts{.filters = {1, 0}, .composite = 1, .convert = 1}));
   document_["context"]["filters"][1]["strength"] = 0.6;
-  EXPECT_EQ(cost_of_render(), (StageCounts{.filters = {1, 0}, .composite = 1}));
+  EXPECT_EQ(cost_of_render(), (StageCounts{.filters = {1, 0}, .composite = 1, .convert = 1}));
   document_["context"]["filters"].erase(1);
-  EXPECT_EQ(cost_of_render(), (StageCounts{.composite = 1}));
+  EXPECT_EQ(cost_of_render(), (StageCounts{.composite = 1, .convert = 1}));
 }
 
 /// A legal value of a parameter, as the schema describes it, that is not its default.
@@ -92,7 +97,7 @@ constexpr const char* kBranchNames[kBranches] = {"context", "focus"};
 TEST_F(Stages, EachParameterOfAShadingRunsItsBranchFromTheShadingOn) {
   int changed = 0;
   for (const BranchIndex branch : {kContext, kFocus}) {
-    StageCounts expected{.composite = 1};
+    StageCounts expected{.composite = 1, .convert = 1};
     expected.shade[branch] = 1;
     expected.filters[branch] = 2;
     document_[kBranchNames[branch]]["filters"] = {{{"name", "kuwahara"}}, {{"name", "sobel"}}};
@@ -121,7 +126,7 @@ TEST_F(Stages, EachParameterOfAFilterRunsItAndWhatComesBehind) {
       filters[place] = {{"name", name}};
       render();
       filters[place][parameter] = value;
-      StageCounts expected{.composite = 1};
+      StageCounts expected{.composite = 1, .convert = 1};
       expected.filters[branch] = 2 - place;
       EXPECT_EQ(cost_of_render(), expected) << kBranchNames[branch] << " " << name << parameter;
       ++changed;
@@ -141,7 +146,8 @@ TEST_F(Stages, TheLightIsTheShadingsOfBothBranches) {
   document_["focus"]["filters"] = {{{"name", "sobel"}}, {{"name", "kuwahara"}}};
   render();
   document_["light"] = {{"direction", {0.3, 0.2, 0.9}}};
-  EXPECT_EQ(cost_of_render(), (StageCounts{.shade = {1, 1}, .filters = {1, 2}, .composite = 1}));
+  EXPECT_EQ(cost_of_render(),
+            (StageCounts{.shade = {1, 1}, .filters = {1, 2}, .composite = 1, .convert = 1}));
 }
 
 TEST_F(Stages, WhatOnlyTheMagicLensReadsCostsTheCutawayNothing) {
@@ -154,7 +160,7 @@ TEST_F(Stages, WhatOnlyTheMagicLensReadsCostsTheCutawayNothing) {
   render();
   for (const auto& [name, value] : changes.items()) {
     document_["lens"][name] = value;
-    EXPECT_EQ(cost_of_render(), (StageCounts{.composite = 1})) << name;
+    EXPECT_EQ(cost_of_render(), (StageCounts{.composite = 1, .convert = 1})) << name;
   }
 }
 
@@ -165,20 +171,21 @@ TEST_F(Stages, OfATranslucentSceneShadeWhileTheyCastRays) {
   document_["focus"]["filters"] = {{{"name", "sobel"}}};
   document_["context"]["surface"] = {{"opacity", 0.1}};
   render();
-  const StageCounts all{.ray_cast = 1, .shade = {1, 1}, .filters = {1, 1}, .composite = 1};
+  const StageCounts all{
+      .ray_cast = 1, .shade = {1, 1}, .filters = {1, 1}, .composite = 1, .convert = 1};
   document_["focus"]["shading"] = {{"name", "tone"}, {"detail", 0.3}};
   EXPECT_EQ(cost_of_render(), all);
   document_["light"] = {{"direction", {0.3, 0.2, 0.9}}};
   EXPECT_EQ(cost_of_render(), all);
   document_["focus"]["filters"][0]["strength"] = 0.3;
-  EXPECT_EQ(cost_of_render(), (StageCounts{.filters = {0, 1}, .composite = 1}));
+  EXPECT_EQ(cost_of_render(), (StageCounts{.filters = {0, 1}, .composite = 1, .convert = 1}));
   document_["background"] = {{"colour", {0.5, 0.5, 0.5}}};
-  EXPECT_EQ(cost_of_render(), (StageCounts{.composite = 1}));
+  EXPECT_EQ(cost_of_render(), (StageCounts{.composite = 1, .convert = 1}));
 }
 
 TEST_F(Stages, TheBackgroundIsTheCompositesOwn) {
   document_["background"] = {{"colour", {0.5, 0.5, 0.5}}};
-  EXPECT_EQ(cost_of_render(), (StageCounts{.composite = 1}));
+  EXPECT_EQ(cost_of_render(), (StageCounts{.composite = 1, .convert = 1}));
 }
 
 TEST_F(Stages, AMovedLensOrCameraCastsRays) {

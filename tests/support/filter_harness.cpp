@@ -51,10 +51,12 @@ BranchImage filtered_on_gpu(const BranchImage& input, const Module& filter) {
                       coverages.data());
   const gl::Texture2D surface(GL_RGBA32F, size, gl::Filtering::nearest);
   const auto surfaces = texels_of<glm::vec4>(input, [](const BranchPixel& p) {
-    return glm::vec4(p.normal, p.coverage > 0.0 ? p.depth_mm : -1.0);
+    const double length = p.behind_lens > 0.0 ? 2.0 : 1.0;
+    return glm::vec4(length * p.normal, p.coverage > 0.0 ? p.depth_mm : -1.0);
   });
   glTextureSubImage2D(surface.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, surfaces.data());
-  pass.run({.filter = filter}, {colour, silhouette, surface}, target, {{0, 0}, size}, triangle);
+  pass.run({.filter = filter}, {colour, silhouette, surface, true}, target, {{0, 0}, size},
+           triangle);
   std::vector<glm::vec4> result(input.pixels.size());
   glGetTextureImage(output.name(), 0, GL_RGBA, GL_FLOAT,
                     static_cast<GLsizei>(result.size() * sizeof(glm::vec4)), result.data());
@@ -113,7 +115,8 @@ BranchImage random_picture(unsigned seed, glm::ivec2 size) {
         1.0,
         1.0,
         glm::normalize(glm::dvec3(level(random), level(random), level(random)) - 0.4),
-        300.0 + 40.0 * level(random)};
+        300.0 + 40.0 * level(random),
+        level(random) < 0.3 ? 1.0 : 0.0};
   }
   return image;
 }

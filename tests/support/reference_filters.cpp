@@ -75,7 +75,9 @@ double edge_magnitude(const std::array<double, 9>& n, bool euclidean) {
 }
 
 glm::dvec3 feature(const BranchPixel& pixel, const Sobel& parameters) {
-  if (parameters.source == "luma") return glm::dvec3(brightness(pixel.colour));
+  const bool is_luma = parameters.source == "luma" ||
+                       (parameters.source == "colour" && parameters.mode == "multiply");
+  if (is_luma) return glm::dvec3(brightness(pixel.colour));
   if (parameters.source == "depth") return glm::dvec3(pixel.depth_mm / parameters.depth_step_mm);
   return parameters.source == "normal" ? pixel.normal : pixel.colour;
 }
@@ -85,7 +87,9 @@ glm::dvec3 edges(const BranchImage& input, glm::ivec2 at, const Sobel& parameter
   std::array<std::array<double, 9>, 4> channels{};
   for (int i = 0; i < 9; ++i) {
     const BranchPixel& pixel = input.clamped(at + glm::ivec2(i % 3 - 1, i / 3 - 1));
-    const glm::dvec3 value = feature(pixel.coverage > 0.0 ? pixel : input.at(at), parameters);
+    const bool is_compared =
+        pixel.coverage > 0.0 && std::abs(pixel.behind_lens - input.at(at).behind_lens) <= 0.2;
+    const glm::dvec3 value = feature(is_compared ? pixel : input.at(at), parameters);
     for (int c = 0; c < 3; ++c) channels[c][i] = value[c];
     channels[3][i] = parameters.silhouettes ? pixel.silhouette_coverage : 1.0;
   }

@@ -14,6 +14,7 @@ struct BranchPixel {
   double silhouette_coverage = 0.0;
   glm::dvec3 normal{0.0};
   double depth_mm = 0.0;
+  double behind_lens = 0.0;  ///< share of them
 };
 
 /// Rows top first.

@@ -80,9 +80,12 @@ RayLayers cutaway_layers(const Ray& ray, const Accumulation& accumulation, const
   double transmittance = 1.0;
   const auto parts = ray.cutaway_parts();
   accumulation.add(parts[0], transmittance, layers);
+  const bool met_before_lens = layers.context.is_met;
   const bool reaches_lens = !parts[1].stretch.is_empty() && transmittance > kLeastTransmittance;
   accumulation.add(parts[1], transmittance, layers);
   accumulation.add(parts[2], transmittance, layers);
+  layers.context.is_behind_lens =
+      layers.context.is_met && !met_before_lens && !parts[1].stretch.is_empty();
   const bool taken = reaches_lens ? ray.goes_on_outside(parts[1], scene.focus.surface.band)
                                   : layers.context.is_met;
   layers.focus.within_outline = layers.focus.is_met || taken;

@@ -11,6 +11,7 @@ struct BranchLayers {
   double opacity = 0.0;
   bool is_met = false;          ///< whether the ray meets the branch at all
   SurfaceHit nearest;           ///< its first layer, where it is met
+  bool is_behind_lens = false;  ///< that one, for the context
   bool within_outline = false;  ///< met, or taken from it by the lens
 };
 

@@ -42,6 +42,7 @@ BranchPixel resolve(const Image<RayLayers>& rays, glm::ivec2 pixel, BranchLayers
     if (!layers.is_met) continue;
     result.normal += layers.nearest.normal;
     result.depth_mm += layers.nearest.distance_mm;
+    result.behind_lens += layers.is_behind_lens ? 1.0 : 0.0;
     ++met;
   }
   if (result.coverage > 0.0) result.colour /= result.coverage;
@@ -50,6 +51,7 @@ BranchPixel resolve(const Image<RayLayers>& rays, glm::ivec2 pixel, BranchLayers
   result.silhouette_coverage /= count;
   result.normal /= std::max(met, 1);
   result.depth_mm /= std::max(met, 1);
+  result.behind_lens /= std::max(met, 1);
   return result;
 }
 

@@ -19,6 +19,7 @@ void FilterPass::run(const FilterKey& key, const FilterInput& input, const gl::F
   program.set_texture("colour_texture", 0, input.colour.name());
   program.set_texture("silhouette_texture", 1, input.silhouette.name());
   program.set_texture("surface_texture", 2, input.surface.name());
+  program.set("is_cut", input.is_cut ? 1 : 0);
   entry.filter->set_parameters(program, key.filter.parameters, key.resolution_scale);
   target.bind(strip);
   triangle.draw();

@@ -22,6 +22,7 @@ struct FilterInput {
   const gl::Texture2D& colour;      ///< the branch's picture so far
   const gl::Texture2D& silhouette;  ///< coverage as if no lens had taken anything away
   const gl::Texture2D& surface;     ///< supersampling^2 texels a pixel
+  bool is_cut = false;  ///< the branch is the one that the cutaway's lens cuts: the context
 };
 
 class FilterPass {

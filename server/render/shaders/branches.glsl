@@ -1,6 +1,7 @@
 // The two ways in which a point can be drawn, and what a pixel of a branch's surface buffer holds.
 //
-// Surface buffer, RGBA32F: xyz = unit normal in patient space, facing the viewer; w = distance from the eye in mm where
+// Surface buffer, RGBA32F: xyz = unit normal in patient space, facing the viewer, of double length where the cutaway's lens
+// lies between the eye and the context; w = distance from the eye in mm where
 // the branch holds the pixel, else one of the negative reasons below.
 
 const int CONTEXT = 0;
@@ -10,4 +11,8 @@ const float REASON_LEFT_VOLUME = -1.0;   // neither branch holds the pixel
 const float REASON_OTHER_BRANCH = -2.0;  // the lens has given the pixel to the other branch or taken this one away
 const float REASON_LEFT_LENS = -3.0;     // focus: the lens was crossed and nothing was hit
 
+const float BEHIND_LENS_LENGTH = 2.0;
+
 bool holds(vec4 surface) { return surface.w >= 0.0; }
+bool lies_behind_lens(vec4 surface) { return dot(surface.xyz, surface.xyz) > 2.0; }
+vec3 normal_of(vec4 surface) { return lies_behind_lens(surface) ? surface.xyz / BEHIND_LENS_LENGTH : surface.xyz; }

@@ -3,6 +3,7 @@
 uniform sampler2D colour_texture;
 uniform sampler2D silhouette_texture;  // coverage as if no lens had taken anything away
 uniform sampler2D surface_texture;     // see branches.glsl; one or more texels a pixel
+uniform bool is_cut;                   // the branch may be seen through the cutaway's lens
 
 layout(location = 0) out vec4 filtered;
 

@@ -1,6 +1,7 @@
 #version 450 core
 // Sobel edges of the branch's colour, brightness, depth or normals, and of its coverage for true silhouettes: the coverage
-// is taken as if no lens had cut anything away, since the lens' rim is not a line of the anatomy.
+// is taken as if no lens had cut anything away, and what is seen through the lens is not compared with what is not: the
+// lens' rim is not a line of the anatomy.
 // Source: I. Sobel, G. Feldman 1968, in R. Duda, P. Hart, "Pattern Classification and Scene Analysis", 1973.
 #include "branches.glsl"
 #include "filter.glsl"
@@ -15,37 +16,58 @@ uniform bool euclidean;
 
 const int DARKEN = 0;
 const int BRIGHTEN = 1;
+const int MULTIPLY = 2;
 
 const int SOURCE_LUMA = 1;
 const int SOURCE_DEPTH = 2;
 
-// Mean depth (in steps) or normal of the rays of a pixel that meet the branch.
-vec3 surface_feature(ivec2 pixel) {
-  ivec2 rays = textureSize(surface_texture, 0) / textureSize(colour_texture, 0);
-  vec4 sum = vec4(0.0);
+// Means over the rays of a pixel that meet the branch.
+struct Met {
+  vec3 normal;
+  float depth_mm;
+  float behind_lens;  // share of them
+};
+
+Met met_at(ivec2 pixel) {
+  bool is_asked = is_cut || source >= SOURCE_DEPTH;
+  ivec2 rays = is_asked ? textureSize(surface_texture, 0) / textureSize(colour_texture, 0) : ivec2(0);
+  Met sum = Met(vec3(0.0), 0.0, 0.0);
+  float met = 0.0;
   for (int i = 0; i < rays.x * rays.y; ++i) {
     vec4 surface = texelFetch(surface_texture, pixel * rays + ivec2(i % rays.x, i / rays.x), 0);
-    vec3 feature = source == SOURCE_DEPTH ? vec3(surface.w / depth_step_mm) : surface.xyz;
-    if (holds(surface)) sum += vec4(feature, 1.0);
+    float weight = holds(surface) ? 1.0 : 0.0;
+    sum.normal += weight * normal_of(surface);
+    sum.depth_mm += weight * surface.w;
+    sum.behind_lens += weight * (lies_behind_lens(surface) ? 1.0 : 0.0);
+    met += weight;
   }
-  return sum.xyz / max(sum.w, 1.0);
+  met = max(met, 1.0);
+  return Met(sum.normal / met, sum.depth_mm / met, sum.behind_lens / met);
 }
 
-vec3 feature_at(ivec2 pixel, vec4 colour) {
-  if (source < SOURCE_LUMA) return colour.rgb;
-  return source == SOURCE_LUMA ? vec3(brightness(colour.rgb)) : surface_feature(pixel);
+// What is compared: three components, and the share of the rays behind the lens, which must agree. Multiplying takes the
+// edges of the brightness for those of the colour.
+vec4 feature_at(ivec2 pixel, vec4 colour) {
+  Met met = met_at(pixel);
+  vec3 feature = mode == MULTIPLY ? vec3(brightness(colour.rgb)) : colour.rgb;
+  if (source == SOURCE_LUMA) feature = vec3(brightness(colour.rgb));
+  if (source == SOURCE_DEPTH) feature = vec3(met.depth_mm / depth_step_mm);
+  if (source > SOURCE_DEPTH) feature = met.normal;
+  return vec4(feature, met.behind_lens);
 }
 
-// The feature and the silhouette coverage; the centre's feature where the branch has none, so that only the coverage tells.
-vec4 neighbour(ivec2 pixel, vec3 centre) {
+// The feature and the silhouette coverage. The feature is the centre's where the branch has none, so that only the coverage
+// tells, and on the other side of the lens' rim, of which one ray in four is enough.
+vec4 neighbour(ivec2 pixel, vec4 centre) {
   pixel = clamp(pixel, ivec2(0), textureSize(colour_texture, 0) - 1);
   vec4 colour = texelFetch(colour_texture, pixel, 0);
-  vec3 feature = colour.a > 0.0 ? feature_at(pixel, colour) : centre;
-  return vec4(feature, silhouettes ? texelFetch(silhouette_texture, pixel, 0).r : 1.0);
+  vec4 feature = colour.a > 0.0 ? feature_at(pixel, colour) : centre;
+  if (abs(feature.w - centre.w) > 0.2) feature = centre;
+  return vec4(feature.xyz, silhouettes ? texelFetch(silhouette_texture, pixel, 0).r : 1.0);
 }
 
 // Clamped before it is scaled: the strength is how black a strong line gets, not a gain.
-vec4 edges(ivec2 pixel, vec3 centre) {
+vec4 edges(ivec2 pixel, vec4 centre) {
   vec4 n[9];
   for (int i = 0; i < 9; ++i) n[i] = neighbour(pixel + ivec2(i % 3 - 1, i / 3 - 1), centre);
   vec4 across = (n[2] + 2.0 * n[5] + n[8]) - (n[0] + 2.0 * n[3] + n[6]);

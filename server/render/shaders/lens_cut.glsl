@@ -39,6 +39,10 @@ Stretch stretch_of(Course course, int part) {
   return stretch;
 }
 
+bool is_behind_lens(Course course, float distance_mm) {
+  return course.lens_mm.y > course.lens_mm.x && distance_mm >= course.lens_mm.y;
+}
+
 bool is_empty(Stretch stretch) { return stretch.end_mm <= stretch.begin_mm; }
 
 Course outside_lens(vec2 volume_mm) { return Course(volume_mm, volume_mm.yy); }

@@ -29,6 +29,7 @@ void cast_cutaway(Ray ray, vec2 volume_mm) {
   float reason = focus_reason(ray, course, reaches_lens && !is_focus, is_hit);
   bool is_taken = is_context_in_lens(ray, course, !is_hit);
   vec4 surface = surface_of(hit, is_taken ? REASON_OTHER_BRANCH : REASON_LEFT_VOLUME);
+  if (is_behind_lens(course, surface.w)) surface.xyz *= BEHIND_LENS_LENGTH;
   context_surface = is_focus ? vec4(0.0, 0.0, 0.0, REASON_OTHER_BRANCH) : surface;
   focus_surface = is_focus ? surface : vec4(0.0, 0.0, 0.0, reason);
 }

@@ -25,7 +25,7 @@ void main() {
       vec4 surface = texelFetch(surface_texture, pixel, 0);
       if (holds(surface)) {
         vec3 to_viewer = -view_direction(vec2(pixel) + 0.5, size_px);
-        colour_sum += SHADE(BRANCH, surface.xyz, to_viewer);
+        colour_sum += SHADE(BRANCH, normal_of(surface), to_viewer);
         held += 1.0;
       } else if (surface.w == REASON_OTHER_BRANCH) {
         taken_by_lens += 1.0;

@@ -38,7 +38,11 @@ VolumeFacts ball_with_bone_on_the_left() {
 }
 
 TEST(LensPlacement, StaysInTheMiddleWhereThatShowsTheFocus) {
-  const auto lens = placed_lens(ball_facts(), front_view(), 50.0);
+  VolumeFacts facts = ball_facts();
+  facts.first_surface_mm = [](glm::dvec3 origin_mm, glm::dvec3 direction, const ValueBand& band) {
+    return first_point_on_ball(origin_mm, direction, band.lower > 0.0 ? 70.0 : kBallRadius_mm);
+  };
+  const auto lens = placed_lens(facts, front_view(), 50.0);
   ASSERT_TRUE(lens);
   EXPECT_LT(glm::distance(lens->centre_mm, kBallCentre_mm - glm::dvec3(0.0, kBallRadius_mm, 0.0)),
             1e-9);
@@ -83,6 +87,35 @@ TEST(LensPlacement, FindsTheSurfaceBesideTheMiddle) {
   const auto lens = placed_lens(ball_facts(), view, 60.0);
   ASSERT_TRUE(lens);
   EXPECT_NEAR(glm::distance(lens->centre_mm, kBallCentre_mm), kBallRadius_mm, 1e-6);
+}
+
+TEST(LensPlacement, IsTheSameInAWiderViewport) {
+  for (const auto& facts : {ball_facts(), ball_with_bone_on_the_left()}) {
+    LensPlacementView view = front_view();
+    const auto lens = placed_lens(facts, view, 25.0);
+    view.viewport.width_px = 1000;
+    const auto in_wider = placed_lens(facts, view, 25.0);
+    ASSERT_TRUE(lens && in_wider);
+    EXPECT_LT(glm::distance(lens->centre_mm, in_wider->centre_mm), 1e-9);
+  }
+}
+
+TEST(LensPlacement, LeavesTheMiddleUpOrDownBeforeItDoesSideways) {
+  VolumeFacts facts = ball_facts();
+  const auto skin = facts.first_surface_mm;
+  facts.first_surface_mm = [skin](glm::dvec3 origin_mm, glm::dvec3 direction,
+                                  const ValueBand& band) {
+    auto point = skin(origin_mm, direction, band);
+    // Bone far above the middle, and far beside it.
+    if (band.lower > 0.0 && point && point->z < kBallCentre_mm.z + 30.0 &&
+        std::abs(point->x - kBallCentre_mm.x) < 70.0)
+      point.reset();
+    return point;
+  };
+  const auto lens = placed_lens(facts, front_view(), 40.0);
+  ASSERT_TRUE(lens);
+  EXPECT_NEAR(lens->centre_mm.x, kBallCentre_mm.x, 1e-6);
+  EXPECT_GT(lens->centre_mm.z, kBallCentre_mm.z + 3.0);
 }
 
 TEST(LensPlacement, IsNowhereWhereTheViewMissesTheSurface) {
