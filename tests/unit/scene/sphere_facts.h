@@ -8,6 +8,7 @@
 namespace cutaway {
 
 inline constexpr double kBallRadius_mm = 80.0;
+inline constexpr double kBoneRadius_mm = 65.0;
 inline constexpr glm::dvec3 kBallCentre_mm{10.0, -20.0, 30.0};
 
 inline std::optional<glm::dvec3> first_point_on_ball(glm::dvec3 origin_mm, glm::dvec3 direction,
@@ -34,7 +35,7 @@ inline VolumeFacts ball_facts() {
   facts.inner_iso_value = 250.0;
   facts.first_surface_mm = [](glm::dvec3 origin_mm, glm::dvec3 direction, const ValueBand& band) {
     return first_point_on_ball(origin_mm, direction,
-                               band.lower > 0.0 ? kBallRadius_mm / 2.0 : kBallRadius_mm);
+                               band.lower > 0.0 ? kBoneRadius_mm : kBallRadius_mm);
   };
   return facts;
 }

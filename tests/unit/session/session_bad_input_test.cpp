@@ -127,7 +127,8 @@ TEST_F(SessionBadInputTest, ACameraAtItsTarget) {
 }
 
 TEST_F(SessionBadInputTest, ACameraInsideTheBoneIsNoError) {
-  scene({{"camera", {{"eye_mm", {1, 2, 3}}, {"target_mm", {0, 0, 0}}, {"up", {0, 0, 1}}}}});
+  scene({{"camera", {{"eye_mm", {1, 2, 3}}, {"target_mm", {0, 0, 0}}, {"up", {0, 0, 1}}}},
+         {"lens", {{"mode", "none"}}}});
   EXPECT_TRUE(client.of_type("error").empty());
   receive({{"type", "pick"}, {"request", 1}, {"position_px", {320, 240}}});
   // An eye in the material sees no cut where it stands, and a ball has nothing further on.

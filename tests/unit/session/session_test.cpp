@@ -139,8 +139,7 @@ TEST_F(SessionTest, AStormOfDragsTellsTheSceneSeldomAndTheLastOneSurely) {
   come_to_rest();
   const auto told = client.of_type("scene");
   EXPECT_LT(told.size(), 12);
-  EXPECT_TRUE(told.front().contains("volume"));
-  EXPECT_FALSE(told.back().contains("volume")) << "the histogram was said again";
+  for (const Json& message : told) EXPECT_FALSE(message.contains("volume"));
   EXPECT_EQ(client.last("scene")["revision"], client.frames.back().header.revision);
 }
 
