@@ -4,6 +4,7 @@ shading of the same cutaway?
 A unit is one data set, camera and lens position; each is rendered in every condition and scored
 with one and the same focus mask.
 """
+from collections import Counter
 from dataclasses import asdict, dataclass
 
 import numpy
@@ -49,7 +50,7 @@ class Comparison:
     second: str
     measure: str
     units: int
-    data_sets: int
+    units_by_data_set: dict
     mean: float
     units_interval: tuple
     clustered_interval: tuple
@@ -59,6 +60,10 @@ class Comparison:
     cliffs_delta: float
     standardised_mean: float | None
     share_positive: float
+
+    @property
+    def data_sets(self):
+        return len(self.units_by_data_set)
 
 
 @dataclass(frozen=True)
@@ -130,7 +135,7 @@ def compare(table, first, second, measure, seed=0):
         second=second,
         measure=measure,
         units=len(table),
-        data_sets=len(set(clusters)),
+        units_by_data_set=dict(Counter(clusters)),
         mean=float(differences.mean()),
         units_interval=statistics.bootstrap_interval(differences, seed),
         clustered_interval=statistics.clustered_bootstrap_interval(differences, clusters, seed),

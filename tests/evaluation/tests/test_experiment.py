@@ -1,10 +1,11 @@
 import json
 import random
 import unittest
+from dataclasses import replace
 
 import numpy
 
-from saliency import PRIMARY, SECOND_OPINION, Observation, analyse, judge
+from saliency import PRIMARY, SECOND_OPINION, SINGLE_PASS, Observation, analyse, judge
 from saliency.metrics import Scores
 
 
@@ -27,6 +28,11 @@ def observations(
                     yield Observation(
                         f"volume {data_set}", f"view {unit}", condition, model, result
                     )
+
+
+def relabelled(some):
+    """What the primary model says, as said by its variant."""
+    return [replace(o, model=SINGLE_PASS) for o in some if o.model == PRIMARY]
 
 
 def verdict(*arguments, **named):
@@ -110,6 +116,14 @@ class Judgement(unittest.TestCase):
         self.assertEqual(result.outcome, "not shown")
         self.assertIn("does not turn the sign", result.text)
 
+    def test_a_swapped_style_that_is_not_told_from_the_control_supports_nothing(self):
+        result = verdict(0.5, swapped=-0.12)
+        control = analyse(list(observations(0.5, swapped=-0.12)))[PRIMARY].comparisons["D-B", "nss"]
+        self.assertLess(control.mean, 0)
+        self.assertGreater(control.units_interval[1], 0)
+        self.assertEqual(result.outcome, "not shown")
+        self.assertIn("is not distinguishable from B", result.text)
+
     def test_many_data_sets_carry_further(self):
         self.assertIn(
             "It also holds with data sets as the sampled unit", verdict(0.5, data_sets=6).text
@@ -117,6 +131,25 @@ class Judgement(unittest.TestCase):
 
     def test_a_small_sample_is_owned_up_to(self):
         self.assertIn(
-            "smaller than planned: 8 units of 2 data sets", verdict(0.5, data_sets=2, units=4).text
+            "smaller than planned: volume 0: 4 of 12 units, volume 1: 4 of 12 units, "
+            "2 of 3 data sets.",
+            verdict(0.5, data_sets=2, units=4).text,
         )
         self.assertNotIn("smaller than planned", verdict(0.5).text)
+
+    def test_a_set_with_many_units_does_not_hide_one_with_few(self):
+        many = [o for o in observations(0.5, units=20) if o.data_set != "volume 1"]
+        few = [o for o in observations(0.5, units=7) if o.data_set == "volume 1"]
+        self.assertIn(
+            "smaller than planned: volume 1: 7 of 12 units.", judge(analyse(many + few)).text
+        )
+
+    def test_the_single_pass_is_named_where_it_disagrees(self):
+        agrees, disagrees = (
+            list(observations(0.5)) + relabelled(observations(0.5, swapped=swapped, seed=2))
+            for swapped in (-0.4, 0.4)
+        )
+        self.assertNotIn("single pass", judge(analyse(agrees)).text)
+        result = judge(analyse(disagrees))
+        self.assertEqual(result.outcome, "supported")
+        self.assertRegex(result.text, "single pass disagrees with .*: D minus B is [+]0.3")
