@@ -49,14 +49,18 @@ class Studio:
         self._server.stop()
         self._config.close()
 
-    def volumes(self):
-        """What the server lists, once the scan of the data folder has ended."""
-        while True:
-            message = self._client.receive(timeout_s=3.0)
-            if message is None:
-                return self._listing["volumes"]
-            if isinstance(message, dict) and message["type"] == "volumes":
-                self._listing = message
+    def wait_for(self, volumes):
+        """Returns once the server lists all of them."""
+
+        def lists_all(message):
+            listed = {entry["id"] for entry in message["volumes"]}
+            return listed.issuperset(volumes)
+
+        if not lists_all(self._listing):
+            self._client.until(
+                lambda m: isinstance(m, dict) and m["type"] == "volumes" and lists_all(m),
+                f"a listing of {', '.join(volumes)}",
+            )
 
     def open(self, volume):
         """Opens the volume with everything chosen anew; returns the scene as the server resolved

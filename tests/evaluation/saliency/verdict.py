@@ -37,18 +37,17 @@ class Verdict:
         return "\n".join([HEADLINES[self.outcome], *self.reasons, *self.caveats])
 
 
-def judge(results):
+def judge(results, requirements=()):
     """Verdict on analyse(...)'s {model: ModelResult}; both PRIMARY and SECOND_OPINION must be
-    there, with A, B and D."""
+    there, with A, B and D. requirements: Requirements to name where they do not hold."""
     comparisons = {
         model: results[model].comparisons[DECISIVE] for model in (PRIMARY, SECOND_OPINION)
     }
     controls = {model: results[model].comparisons[CONTROL] for model in (PRIMARY, SECOND_OPINION)}
     reasons = [_sentence(model, comparison) for model, comparison in comparisons.items()]
     reasons += [_control_sentence(model, control) for model, control in controls.items()]
-    return Verdict(
-        _outcome(comparisons, controls), reasons, _caveats(results, comparisons[PRIMARY])
-    )
+    caveats = _caveats(results, comparisons[PRIMARY]) + _unmet(requirements)
+    return Verdict(_outcome(comparisons, controls), reasons, caveats)
 
 
 def _outcome(comparisons, controls):
@@ -89,8 +88,8 @@ def _direction(interval):
     return "within chance"
 
 
-def _figure(mean, interval):
-    return f"{mean:+.3f} (95 % interval {interval[0]:+.3f} to {interval[1]:+.3f})"
+def _figure(mean, interval, form="+.3f"):
+    return f"{mean:{form}} (95 % interval {interval[0]:{form}} to {interval[1]:{form}})"
 
 
 def _caveats(results, decisive):
@@ -153,10 +152,21 @@ def _p_value(c):
     return f"The interval and the sign-flip test ({p}) disagree: read the effect as borderline."
 
 
+def _unmet(requirements):
+    return [f"Required and not shown: {_requirement(r)}." for r in requirements if not r.holds]
+
+
+def _requirement(r):
+    if r.units == 0:
+        return f"{r.text} (no unit tells)"
+    return f"{r.text}, the difference is {_figure(r.mean, r.units_interval, '+.4f')}"
+
+
 def _hits(results):
-    hits, rates = results[PRIMARY].hits["A-B"], results[PRIMARY].hit_rates
+    hits, rates = results[PRIMARY].hits["A-B", "first_hit"], results[PRIMARY].hit_rates
     return (
-        f"The first winner lies in the focus in {rates['A']:.0%} of A and {rates['B']:.0%} of B "
+        f"The first winner lies in the focus in {rates['A']['first_hit']:.0%} of A "
+        f"and {rates['B']['first_hit']:.0%} of B "
         f"(McNemar p = {hits.mcnemar_p:.2g} "
         f"from {hits.only_first + hits.only_second} differing units)."
     )

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy
 
 from saliency import PRIMARY, SECOND_OPINION, SINGLE_PASS, Observation, analyse, judge
+from saliency.experiment import HITS
 from saliency.metrics import Scores
 
 
@@ -60,10 +61,27 @@ class Analysis(unittest.TestCase):
 
     def test_the_hits_add_up(self):
         result = analyse(list(observations(0.5)))[PRIMARY]
-        hits = result.hits["A-B"]
-        self.assertEqual(hits.both + hits.only_first + hits.only_second + hits.neither, 36)
-        self.assertAlmostEqual(result.hit_rates["A"], (hits.both + hits.only_first) / 36)
-        self.assertAlmostEqual(result.hit_rates["B"], (hits.both + hits.only_second) / 36)
+        for hit in HITS:
+            hits = result.hits["A-B", hit]
+            self.assertEqual(hits.both + hits.only_first + hits.only_second + hits.neither, 36)
+            self.assertAlmostEqual(result.hit_rates["A"][hit], (hits.both + hits.only_first) / 36)
+            self.assertAlmostEqual(result.hit_rates["B"][hit], (hits.both + hits.only_second) / 36)
+
+    def test_each_kind_of_hit_and_each_rank_is_counted_by_itself(self):
+        ranks = {"A": (1, 1, 2), "B": (5, None, None)}
+        some = [
+            Observation("head", f"view {n}", c, PRIMARY, Scores(0, 0.5, 1, r == 1, n == 0, r))
+            for c, of_condition in ranks.items()
+            for n, r in enumerate(of_condition)
+        ]
+        result = analyse(some)[PRIMARY]
+        self.assertEqual(result.hit_ranks, {"A": [2, 1, 0, 0, 0, 0], "B": [0, 0, 0, 0, 1, 2]})
+        rates = result.hit_rates["A"]
+        self.assertAlmostEqual(rates["first_hit"], 2 / 3)
+        self.assertAlmostEqual(rates["proto_object_hit"], 1 / 3)
+        self.assertEqual(rates["any_hit"], 1)
+        self.assertEqual(result.hits["A-B", "any_hit"].only_first, 2)
+        self.assertEqual(result.hits["A-B", "proto_object_hit"].both, 1)
 
     def test_the_order_of_observations_does_not_matter(self):
         ordered = list(observations(0.3))
