@@ -5,7 +5,9 @@ from dataclasses import dataclass
 
 FLOOR_FPS = 8.0
 MOST_LENS_OVERHEAD = 0.25  # of the control
-MOST_GROWTH = 0.25  # of a filter's cost with eight times the voxels, which is noise and the picture's
+MOST_GROWTH = (
+    0.25  # of a filter's cost with eight times the voxels, which is noise and the picture's
+)
 CONTROL, LENS, BOTH_FILTERS = "Phong, no lens", "lens", "lens + both"
 FILTERS = ("kuwahara", "sobel")
 

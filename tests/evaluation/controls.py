@@ -42,7 +42,9 @@ def read(pictures, examined, focus):
     body = numpy.abs(pictures["A"] - GREY[0]).max(axis=2) > VISIBLE
     moved = saliency.moved_masks(focus, body)
     return {
-        condition: _reading(rgb, examined[condition, saliency.PRIMARY].saliency_px, focus, body, moved)
+        condition: _reading(
+            rgb, examined[condition, saliency.PRIMARY].saliency_px, focus, body, moved
+        )
         for condition, rgb in pictures.items()
     }
 

@@ -65,7 +65,17 @@ def make(benchmark, outdir, progress):
 def _measure(benchmark, file, edge_voxels, options, progress):
     progress(f"performance: phantoms of {edge_voxels} voxels an edge")
     # Line by line, so that progress shows while it runs and not when it is over.
-    command = ["stdbuf", "-oL", benchmark, "--sizes", SIZE, "--phantom-size", edge_voxels, "--json", file]
+    command = [
+        "stdbuf",
+        "-oL",
+        benchmark,
+        "--sizes",
+        SIZE,
+        "--phantom-size",
+        edge_voxels,
+        "--json",
+        file,
+    ]
     command += ["--least-frames", LEAST_FRAMES, "--seconds", SECONDS_A_CASE, *options]
     with subprocess.Popen([str(c) for c in command], stdout=subprocess.PIPE, text=True) as running:
         for line in running.stdout:

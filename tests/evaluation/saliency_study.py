@@ -47,7 +47,9 @@ def make(studio, volumes, most, outdir, progress):
     """Studies up to `most` volumes in the order given; one with too few units only where the others
     do not suffice."""
     chosen = _Choice(studio, volumes, most, progress)
-    examined = list(_overlapped(lambda drawn: _examine(drawn, outdir), _draw(studio, chosen, progress)))
+    examined = list(
+        _overlapped(lambda drawn: _examine(drawn, outdir), _draw(studio, chosen, progress))
+    )
     results = saliency.analyse([o for e in examined for o in e.observations])
     readings = [e.readings for e in examined]
     requirements = controls.requirements(readings, [e.volume for e in examined])

@@ -127,7 +127,8 @@ def _single_pass(results):
         f"{c.first} minus {c.second} is {_figure(c.mean, c.units_interval)}"
         for key, c in results[SINGLE_PASS].comparisons.items()
         if key in (DECISIVE, CONTROL)
-        and _direction(c.units_interval) != _direction(results[PRIMARY].comparisons[key].units_interval)
+        and _direction(c.units_interval)
+        != _direction(results[PRIMARY].comparisons[key].units_interval)
     ]
     return f"{SINGLE_PASS} disagrees with {PRIMARY}: {' and '.join(told)}." if told else None
 
