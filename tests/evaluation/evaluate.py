@@ -4,6 +4,7 @@ import pathlib
 import sys
 import time
 
+import data_sets
 import gallery
 import performance
 import report
@@ -11,20 +12,21 @@ import saliency_study
 from studio import Studio
 
 PHANTOMS = ("phantom:head", "phantom:abdomen", "phantom:knees")
+# Five at least give the test over data sets a chance (p >= 2^-5); more fit the time of two cores.
+MOST_STUDIED = 7
 
 
 def main():
     arguments = parse_arguments()
     arguments.outdir.mkdir(parents=True, exist_ok=True)
     begun = time.monotonic()
+    volumes = volumes_to_show(arguments)
     with Studio(arguments.build / "cutaway", arguments.data) as studio:
-        volumes = volumes_to_show(studio, arguments.quick)
+        studio.wait_for(volumes)
         sheets = gallery.make(studio, volumes, arguments.outdir, progress)
-        studied = volumes[:1] if arguments.quick else volumes_to_study(volumes)
-        study = saliency_study.make(studio, studied, arguments.outdir, progress)
+        study = saliency_study.make(studio, volumes, MOST_STUDIED, arguments.outdir, progress)
         renderer = studio.renderer
-    progress("performance table")
-    table = performance.make(arguments.build / "cutaway-benchmark", arguments.outdir)
+    table = performance.make(arguments.build / "cutaway-benchmark", arguments.outdir, progress)
     minutes = (time.monotonic() - begun) / 60
     written = report.write(arguments.outdir, renderer, sheets, study, table, minutes)
     print(f"{study.verdict.text}\n\nThe report is {written} ({minutes:.1f} minutes).")
@@ -42,15 +44,15 @@ def parse_arguments():
     return arguments
 
 
-def volumes_to_show(studio, quick):
-    # A NIfTI or NRRD file does not say that it is a CT; what says that it is an MR is none.
-    given = [v["id"] for v in studio.volumes() if v["modality"] != "MR" and v["id"] not in PHANTOMS]
-    return list(PHANTOMS[:1]) if quick else [*PHANTOMS, *given]
-
-
-def volumes_to_study(volumes):
-    """The phantoms and one CT: twelve units each are what the time allows on two cores."""
-    return volumes[: len(PHANTOMS) + 1]
+def volumes_to_show(arguments):
+    if arguments.quick:
+        return list(PHANTOMS[:1])
+    if arguments.data is None:
+        return list(PHANTOMS)
+    progress(f"reading {arguments.data}")
+    found, others = data_sets.cts(arguments.build / "cutaway", arguments.data)
+    progress(f"CTs: {', '.join(found) or 'none'}; not CTs: {', '.join(others) or 'none'}")
+    return [*PHANTOMS, *found]
 
 
 def progress(what):

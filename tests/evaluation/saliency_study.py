@@ -1,183 +1,157 @@
 """The designed experiment: units of data set, camera and lens position, each in four conditions,
 under every saliency model.
 """
-import math
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
-import numpy
-
+import controls
 import saliency
+import units
+from looks import focus_mask, looks, picture
 from saliency.experiment import CONDITIONS, UNITS_PER_DATA_SET
-from saliency.metrics import nss
 from sheets import sheet
-
-SIDE_PX = 768
-GREY = [128 / 255] * 3
-AZIMUTHS_DEGREES = (0, -40, 40, 75)
-LENSES_A_CAMERA = UNITS_PER_DATA_SET // len(AZIMUTHS_DEGREES)
-# Of the view, off the middle so that a bias to the centre is no help.
-LENS_PLACES = ((0.42, 0.4), (0.6, 0.42), (0.5, 0.62), (0.36, 0.56), (0.64, 0.6), (0.5, 0.3))
-LEAST_FOCUS, MOST_FOCUS = 0.01, 0.35  # share of the picture
-
-
-@dataclass(frozen=True)
-class Control:
-    """Means over all units of one condition. nss_elsewhere: of the same maps on the focus mask moved
-    over the body. detail_*: mean |Laplacian| of the luma."""
-
-    condition: str
-    nss: float
-    nss_elsewhere: float
-    detail_focus: float
-    detail_context: float
 
 
 @dataclass(frozen=True)
 class Study:
+    """passed_over: (volume, its units) of those that gave too few while others gave enough."""
+
     results: dict
     verdict: object
     controls: list
+    requirements: list
     sheet_files: list
-    units: int
+    passed_over: list
 
 
-def make(studio, volumes, outdir, progress):
-    observations, controls, files = [], [], []
-    for volume in volumes:
-        start = studio.open(volume)
-        units = _units(studio, start)
-        progress(f"saliency: {volume}, {len(units)} units")
-        for number, (unit, scene, focus) in enumerate(units):
-            pictures = {c: _picture(studio, scene, look) for c, look in _looks(studio).items()}
-            examined = _examine(pictures)
-            observations += _observations(volume, unit, examined, focus)
-            controls.append(_controls(pictures, examined, focus))
-            if number == 0:
-                files.append(_winners_sheet(volume, pictures, examined, outdir))
-            progress(f"saliency: {volume}, unit {number + 1} of {len(units)}")
-    results = saliency.analyse(observations)
-    return Study(results, saliency.judge(results), _means(controls), files, len(controls))
+@dataclass(frozen=True)
+class Drawn:
+    """One unit's pictures by condition and its focus mask; is_first: of its volume."""
+
+    volume: str
+    unit: str
+    pictures: dict
+    focus: object
+    is_first: bool
 
 
-def _units(studio, start):
-    """(name, scene without a look, focus mask) for each camera and lens position that shows some of
-    the focus."""
-    units = []
-    for azimuth in AZIMUTHS_DEGREES:
-        camera = _turned(start["camera"], azimuth)
-        found = []
-        for place in LENS_PLACES:
-            scene = {"camera": camera, "lens": {"radius_mm": start["lens"]["radius_mm"]}}
-            studio.reset(scene)
-            scene["lens"]["centre_mm"] = studio.drag_lens(*place)
-            focus = _focus_mask(studio, scene)
-            if LEAST_FOCUS < focus.mean() < MOST_FOCUS:
-                found.append((f"{azimuth:+d} degrees, lens at {place}", scene, focus))
-            if len(found) == LENSES_A_CAMERA:
-                break
-        units += found
-    return units
+@dataclass(frozen=True)
+class Examination:
+    volume: str
+    observations: list
+    readings: dict
+    sheet_file: str | None
 
 
-def _turned(camera, degrees):
-    """The camera turned about the patient's axis through its target."""
-    angle = math.radians(degrees)
-    arm = numpy.subtract(camera["eye_mm"], camera["target_mm"])
-    turned = [
-        arm[0] * math.cos(angle) - arm[1] * math.sin(angle),
-        arm[0] * math.sin(angle) + arm[1] * math.cos(angle),
-        arm[2],
-    ]
-    eye = [float(value) for value in numpy.add(camera["target_mm"], turned)]
-    return {**camera, "eye_mm": eye, "up": [0, 0, 1]}
+def make(studio, volumes, most, outdir, progress):
+    """Studies up to `most` volumes in the order given; one with too few units only where the others
+    do not suffice."""
+    chosen = _Choice(studio, volumes, most, progress)
+    examined = list(
+        _overlapped(lambda drawn: _examine(drawn, outdir), _draw(studio, chosen, progress))
+    )
+    results = saliency.analyse([o for e in examined for o in e.observations])
+    readings = [e.readings for e in examined]
+    requirements = controls.requirements(readings, [e.volume for e in examined])
+    return Study(
+        results,
+        saliency.judge(results, requirements),
+        controls.means(readings),
+        requirements,
+        [(e.volume, e.sheet_file) for e in examined if e.sheet_file],
+        chosen.passed_over,
+    )
 
 
-def _flat(level):
-    colour = [level] * 3
-    return {
-        "shading": {"name": "tone", "detail": 0, "dark": colour, "light": colour},
-        "filters": [],
-    }
+class _Choice:
+    """Iterates over (volume, units), the volume open."""
+
+    def __init__(self, studio, volumes, most, progress):
+        self._studio, self._volumes, self._most, self._progress = studio, volumes, most, progress
+        self.passed_over = []
+
+    def __iter__(self):
+        taken = 0
+        for volume in self._volumes:
+            if taken == self._most:
+                return
+            found = units.find(self._studio, self._studio.open(volume))
+            self._progress(f"saliency: {volume}, {len(found)} units")
+            if len(found) < UNITS_PER_DATA_SET:
+                self.passed_over.append((volume, found))
+                continue
+            taken += 1
+            yield volume, found
+        yield from self._fill(self._most - taken)
+
+    def _fill(self, missing):
+        """Those with too few units, the most first, for want of better ones."""
+        self.passed_over.sort(key=lambda pair: -len(pair[1]))
+        while missing > 0 and self.passed_over and self.passed_over[0][1]:
+            volume, found = self.passed_over.pop(0)
+            self._studio.open(volume)
+            missing -= 1
+            yield volume, found
 
 
-def _focus_mask(studio, scene):
-    mask_look = {
-        "focus": _flat(1.0),
-        "context": _flat(0.0),
-        "lens": {"mode": "cutaway", "cap": "flat"},
-        "background": {"colour": [0, 0, 0]},
-    }
-    return _picture(studio, scene, mask_look)[..., 0] > 0.5
+def _draw(studio, chosen, progress):
+    for volume, found in chosen:
+        for number, unit in enumerate(found, 1):
+            focus = focus_mask(studio, unit.scene)
+            pictures = {c: picture(studio, unit.scene, look) for c, look in looks(studio).items()}
+            progress(f"saliency: {volume}, unit {number} of {len(found)}")
+            yield Drawn(volume, unit.name, pictures, focus, number == 1)
 
 
-def _looks(studio):
-    style, phong = studio.styles["flagship"], studio.styles["phong-control"]
-    return {
-        "A": style,
-        "B": phong,
-        "C": {**phong, "lens": {**phong["lens"], "mode": "none"}},
-        "D": {**style, "focus": style["context"], "context": style["focus"]},
-    }
+def _overlapped(work, items):
+    """work(item) of each in order; one is worked on while the next is drawn, and no third waits."""
+    with ThreadPoolExecutor(1) as pool:
+        underway = None
+        for item in items:
+            if underway is not None:
+                yield underway.result()
+            underway = pool.submit(work, item)
+        if underway is not None:
+            yield underway.result()
 
 
-def _picture(studio, scene, look):
-    lens = {**look["lens"], **scene["lens"]}
-    background = look["background"] if look["background"]["colour"] == [0, 0, 0] else {"colour": GREY}
-    studio.change({**look, "camera": scene["camera"], "lens": lens, "background": background})
-    return studio.picture(SIDE_PX, SIDE_PX)
-
-
-def _examine(pictures):
-    return {
+def _examine(drawn, outdir):
+    examined = {
         (condition, model): saliency.examine(rgb, model)
-        for condition, rgb in pictures.items()
+        for condition, rgb in drawn.pictures.items()
         for model in saliency.MODELS
     }
+    return Examination(
+        drawn.volume,
+        _observations(drawn, examined),
+        controls.read(drawn.pictures, examined, drawn.focus),
+        _winners_sheet(drawn, examined, outdir) if drawn.is_first else None,
+    )
 
 
-def _observations(volume, unit, examined, focus):
+def _observations(drawn, examined):
     return [
         saliency.Observation(
-            volume, unit, condition, model, saliency.scores(e.saliency_px, e.fixations, focus)
+            drawn.volume,
+            drawn.unit,
+            condition,
+            model,
+            saliency.scores(e.saliency_px, e.fixations, drawn.focus),
         )
         for (condition, model), e in examined.items()
     ]
 
 
-def _controls(pictures, examined, focus):
-    """{condition: (nss, nss elsewhere, detail in the focus, detail in the context)} of one unit."""
-    body = numpy.abs(pictures["A"] - GREY[0]).max(axis=2) > 0.02
-    moved = saliency.moved_masks(focus, body)
-    rows = {}
-    for condition, rgb in pictures.items():
-        salient = examined[condition, saliency.PRIMARY].saliency_px
-        elsewhere = saliency.shuffled_nss(salient, moved)
-        rows[condition] = (
-            nss(salient, focus),
-            float("nan") if elsewhere is None else elsewhere,
-            saliency.detail(rgb, focus),
-            saliency.detail(rgb, body & ~focus),
-        )
-    return rows
-
-
-def _means(controls):
-    return [
-        Control(condition, *(float(v) for v in numpy.nanmean([c[condition] for c in controls], axis=0)))
-        for condition in CONDITIONS
-    ]
-
-
-def _winners_sheet(volume, pictures, examined, outdir):
+def _winners_sheet(drawn, examined, outdir):
     """The picture with its most salient regions circled, for each model and condition."""
     rows = [
         [
             saliency.draw_fixations(rgb, examined[condition, model].fixations)[::2, ::2]
-            for condition, rgb in pictures.items()
+            for condition, rgb in drawn.pictures.items()
         ]
         for model in saliency.MODELS
     ]
-    file = f"winners-{''.join(c if c.isalnum() else '-' for c in volume)}.png"
+    file = f"winners-{''.join(c if c.isalnum() else '-' for c in drawn.volume)}.png"
     columns = [f"{condition}: {text}" for condition, text in CONDITIONS.items()]
     saliency.write_picture(outdir / file, sheet(rows, list(saliency.MODELS), columns))
-    return volume, file
+    return file

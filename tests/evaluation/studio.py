@@ -7,7 +7,7 @@ import cv2
 import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "end_to_end"))
-from wire import Client, Server  # noqa: E402  (a client of protocol/README.md)
+from wire import Client, Picture, Server  # noqa: E402  (a client of protocol/README.md)
 
 SMALL_PX = 96  # of the live picture, which nobody looks at
 CONFIG = """\
@@ -40,6 +40,7 @@ class Studio:
         self._listing = self._client.text("volumes")
         self._requests = 0
         self._volume = None
+        self._revision = 0  # of the scene that was told or drawn last
 
     def __enter__(self):
         return self
@@ -49,14 +50,18 @@ class Studio:
         self._server.stop()
         self._config.close()
 
-    def volumes(self):
-        """What the server lists, once the scan of the data folder has ended."""
-        while True:
-            message = self._client.receive(timeout_s=3.0)
-            if message is None:
-                return self._listing["volumes"]
-            if isinstance(message, dict) and message["type"] == "volumes":
-                self._listing = message
+    def wait_for(self, volumes):
+        """Returns once the server lists all of them."""
+
+        def lists_all(message):
+            listed = {entry["id"] for entry in message["volumes"]}
+            return listed.issuperset(volumes)
+
+        if not lists_all(self._listing):
+            self._await(
+                lambda m: isinstance(m, dict) and m["type"] == "volumes" and lists_all(m),
+                f"a listing of {', '.join(volumes)}",
+            )
 
     def open(self, volume):
         """Opens the volume with everything chosen anew; returns the scene as the server resolved
@@ -66,20 +71,21 @@ class Studio:
         self._volume = volume
         self._client.viewport(SMALL_PX, SMALL_PX)
         self._client.scene({"volume": volume, **self.styles["flagship"]}, replace=True)
-        self._client.text("loading", volume=volume, stage="ready")
-        return self._client.text("scene")["scene"]
+        return self._told_scene(lambda message: message["scene"]["volume"] == volume)
 
     def reset(self, scene):
         """The open volume with another scene; what the scene leaves out is chosen anew. Returns it
         resolved."""
         self._client.scene({**scene, "volume": self._volume}, replace=True)
-        return self._client.text("scene")["scene"]
+        return self._told_scene(lambda message: message["revision"] > self._revision)
 
     def drag_lens(self, x, y):
         """Puts the lens on the surface under a point of the view, (0, 0) its upper left and (1, 1)
         its lower right corner; returns the centre in mm (LPS)."""
         self._client.send_input("drag_lens", position_px=[x * SMALL_PX, y * SMALL_PX])
-        return self._client.text("scene")["scene"]["lens"]["centre_mm"]
+        # A lens that lands where it was makes no new revision.
+        told = self._told_scene(lambda message: message["revision"] >= self._revision)
+        return told["lens"]["centre_mm"]
 
     def change(self, scene):
         """Merges a partial scene into the one that is shown."""
@@ -91,6 +97,29 @@ class Studio:
         self._client.send(
             type="save_still", request=self._requests, width_px=width_px, height_px=height_px
         )
-        data = self._client.saved(self._requests).data
-        stored = cv2.imdecode(numpy.frombuffer(data, numpy.uint8), cv2.IMREAD_COLOR)
+        still = self._await(
+            lambda m: isinstance(m, Picture) and m.type == 2 and m.number == self._requests,
+            "a still",
+        )
+        self._revision = still.revision
+        stored = cv2.imdecode(numpy.frombuffer(still.data, numpy.uint8), cv2.IMREAD_COLOR)
         return stored[..., ::-1].astype(numpy.float32) / 255
+
+    def _told_scene(self, fits):
+        """The next resolved scene that fits. The server tells scenes of its own accord too, some
+        time after a change: one from before the request must not pass for the answer."""
+        told = self._await(
+            lambda m: isinstance(m, dict) and m["type"] == "scene" and fits(m), "a scene"
+        )
+        self._revision = told["revision"]
+        return told["scene"]
+
+    def _await(self, fits, what):
+        """The next message that fits. Whatever the server refuses ends the evaluation at once."""
+
+        def fits_or_refused(message):
+            if isinstance(message, dict) and message["type"] == "error":
+                raise RuntimeError(f"the server refused: {message}")
+            return fits(message)
+
+        return self._client.until(fits_or_refused, what)

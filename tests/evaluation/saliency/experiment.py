@@ -4,12 +4,13 @@ shading of the same cutaway?
 A unit is one data set, camera and lens position; each is rendered in every condition and scored
 with one and the same focus mask.
 """
+from collections import Counter
 from dataclasses import asdict, dataclass
 
 import numpy
 
 from . import statistics
-from .metrics import Scores
+from .metrics import HIT_RANKS, Scores
 
 CONDITIONS = {
     "A": "illustration style with cutaway",
@@ -23,6 +24,11 @@ CONTRASTS = (
     ("D", "B"),
 )  # the first decides; the last must have the opposite sign
 MEASURES = ("nss", "auc", "mass_ratio")  # the first decides
+HITS = {
+    "first_hit": "the first winner lies in the focus",
+    "proto_object_hit": "most of the first winner's region lies in the focus",
+    "any_hit": f"one of the first {HIT_RANKS} winners lies in the focus",
+}  # the first decides nothing, and is what the dissertation looked at
 UNITS_PER_DATA_SET = 12
 DATA_SETS = 3
 
@@ -49,7 +55,7 @@ class Comparison:
     second: str
     measure: str
     units: int
-    data_sets: int
+    units_by_data_set: dict
     mean: float
     units_interval: tuple
     clustered_interval: tuple
@@ -60,14 +66,19 @@ class Comparison:
     standardised_mean: float | None
     share_positive: float
 
+    @property
+    def data_sets(self):
+        return len(self.units_by_data_set)
+
 
 @dataclass(frozen=True)
 class HitComparison:
-    """First winners inside the focus: units hit in both, in one only, in neither; exact McNemar,
-    one-sided for "first hits more"."""
+    """One of HITS: units hit in both, in one only, in neither; exact McNemar, one-sided for "first
+    hits more"."""
 
     first: str
     second: str
+    hit: str
     both: int
     only_first: int
     only_second: int
@@ -77,11 +88,14 @@ class HitComparison:
 
 @dataclass(frozen=True)
 class ModelResult:
-    """means[condition][measure]; comparisons["A-B", "nss"]; hits["A-B"]; hit_rates[condition]."""
+    """means[condition][measure]; comparisons["A-B", "nss"]; hits["A-B", "first_hit"];
+    hit_rates[condition]["first_hit"]. hit_ranks[condition]: units whose first winner in the focus
+    is the first, the second, ... and last those where none of them is."""
 
     model: str
     means: dict
     hit_rates: dict
+    hit_ranks: dict
     comparisons: dict
     hits: dict
 
@@ -89,6 +103,7 @@ class ModelResult:
         """Plain values for JSON."""
         plain = asdict(self)
         plain["comparisons"] = [asdict(comparison) for comparison in self.comparisons.values()]
+        plain["hits"] = [asdict(hits) for hits in self.hits.values()]
         return plain
 
 
@@ -106,17 +121,15 @@ def _analyse_model(model, table, seed):
     contrasts = [pair for pair in CONTRASTS if set(pair) <= set(present)]
     return ModelResult(
         model,
-        {
-            condition: {m: float(_column(table, condition, m).mean()) for m in MEASURES}
-            for condition in present
-        },
-        {condition: float(_column(table, condition, "first_hit").mean()) for condition in present},
+        {condition: _column_means(table, condition, MEASURES) for condition in present},
+        {condition: _column_means(table, condition, HITS) for condition in present},
+        {condition: _hit_ranks(table, condition) for condition in present},
         {
             (f"{a}-{b}", measure): compare(table, a, b, measure, seed)
             for a, b in contrasts
             for measure in MEASURES
         },
-        {f"{a}-{b}": compare_hits(table, a, b) for a, b in contrasts},
+        {(f"{a}-{b}", hit): compare_hits(table, a, b, hit) for a, b in contrasts for hit in HITS},
     )
 
 
@@ -130,7 +143,7 @@ def compare(table, first, second, measure, seed=0):
         second=second,
         measure=measure,
         units=len(table),
-        data_sets=len(set(clusters)),
+        units_by_data_set=dict(Counter(clusters)),
         mean=float(differences.mean()),
         units_interval=statistics.bootstrap_interval(differences, seed),
         clustered_interval=statistics.clustered_bootstrap_interval(differences, clusters, seed),
@@ -143,11 +156,11 @@ def compare(table, first, second, measure, seed=0):
     )
 
 
-def compare_hits(table, first, second):
+def compare_hits(table, first, second, hit):
     """HitComparison of two conditions."""
-    a, b = (_column(table, condition, "first_hit").astype(bool) for condition in (first, second))
+    a, b = (_column(table, condition, hit).astype(bool) for condition in (first, second))
     counts = (int(which.sum()) for which in (a & b, a & ~b, ~a & b, ~a & ~b))
-    return HitComparison(first, second, *counts, statistics.mcnemar_p(a, b))
+    return HitComparison(first, second, hit, *counts, statistics.mcnemar_p(a, b))
 
 
 def _models(observations):
@@ -175,6 +188,15 @@ def _table(observations, model):
                 f"{data_set}, {unit}: lacks condition {', '.join(sorted(wanted - row.keys()))}"
             )
     return table
+
+
+def _column_means(table, condition, measures):
+    return {measure: float(_column(table, condition, measure).mean()) for measure in measures}
+
+
+def _hit_ranks(table, condition):
+    ranks = [row[condition].hit_rank for row in table.values()]
+    return [ranks.count(rank) for rank in (*range(1, HIT_RANKS + 1), None)]
 
 
 def _column(table, condition, measure):

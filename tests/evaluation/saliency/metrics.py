@@ -18,7 +18,6 @@ from .grid import CELL_PX
 from .spectral_residual import LUMA
 
 HIT_RANKS = 5  # a hit beyond the fifth winner is no hit
-CENTRE_SIGMA = 0.4  # of half the picture's width and height
 SEAM_PX = 2  # of a mask's rim is left out of its detail: the lens' edge belongs to neither side
 MOVED_STEPS = 8  # a moved mask's centre is tried at so many places along each side of the object
 MOVED_INSIDE = 0.75  # of a moved mask must lie on the object: background makes it too easy
@@ -37,16 +36,22 @@ class Scores:
     proto_object_hit: bool
     hit_rank: int | None
 
+    @property
+    def any_hit(self):
+        """Whether one of the first HIT_RANKS winners lies in the focus."""
+        return self.hit_rank is not None
+
 
 def scores(saliency, fixations, focus):
     """Scores of a saliency map with its fixations, in order, against a bool focus mask."""
+    rank = hit_rank(fixations, focus)
     return Scores(
         nss=nss(saliency, focus),
         auc=auc(saliency, focus),
         mass_ratio=mass_ratio(saliency, focus),
-        first_hit=hit_rank(fixations[:1], focus) == 1,
+        first_hit=rank == 1,
         proto_object_hit=bool(fixations) and proto_object_hit(fixations[0], focus),
-        hit_rank=hit_rank(fixations, focus),
+        hit_rank=rank,
     )
 
 
@@ -58,12 +63,6 @@ def nss(saliency, focus):
     if deviation == 0:
         return 0.0
     return float((saliency[focus].mean(dtype=float) - saliency.mean(dtype=float)) / deviation)
-
-
-def largest_nss(focus):
-    """The NSS of a map that is the focus mask itself; no map exceeds it."""
-    share = focus.mean()
-    return float(numpy.sqrt((1 - share) / share))
 
 
 def auc(saliency, focus):
@@ -104,13 +103,6 @@ def proto_object_hit(fixation, focus):
     if fixation.proto_object is None:
         return _at(near, fixation.position_px)
     return bool(near[fixation.proto_object.mask_px].mean() > 0.5)
-
-
-def centre_bias(focus):
-    """NSS of a centred Gaussian: what a focus gains by its place alone. Pairs with one focus cancel
-    it."""
-    rows, columns = (numpy.linspace(-1, 1, size) for size in focus.shape)
-    return nss(numpy.exp(-(rows[:, None] ** 2 + columns**2) / (2 * CENTRE_SIGMA**2)), focus)
 
 
 def shuffled_nss(saliency, masks):

@@ -5,6 +5,8 @@ with many alike are suppressed.
 Koch, "A saliency-based search mechanism for overt and covert shifts of visual attention", Vision
 Research 40, 2000, section 2.3; the SaliencyToolbox's default.
 """
+import functools
+
 import cv2
 import numpy
 
@@ -43,7 +45,9 @@ def local_maxima(plane, threshold):
     highest_near = cv2.dilate(plane, numpy.ones((3, 3), numpy.uint8))
     is_maximum = (plane == highest_near) & (plane > threshold)
     count, labels = cv2.connectedComponents(is_maximum.astype(numpy.uint8), connectivity=8)
-    return numpy.array([plane[labels == label].max() for label in range(1, count)])
+    highest = numpy.zeros(count, plane.dtype)
+    numpy.maximum.at(highest, labels[is_maximum], plane[is_maximum])
+    return highest[1:]
 
 
 def iterative(plane):
@@ -63,7 +67,13 @@ def iterative(plane):
 def _spread(plane, sigma, gain):
     """Convolution with the product of two 1-D Gaussians of that gain; what a border cuts off the
     kernel is made up for."""
-    return gain**2 * _blur(plane, sigma) / _blur(numpy.ones_like(plane), sigma)
+    return gain**2 * _blur(plane, sigma) / _weight_inside(plane.shape, sigma)
+
+
+@functools.cache
+def _weight_inside(shape, sigma):
+    """The share of the kernel that lies on the map; there are a few shapes, and many maps of each."""
+    return _blur(numpy.ones(shape, numpy.float32), sigma)
 
 
 def _blur(plane, sigma):

@@ -2,13 +2,13 @@
 
 The claim is accepted when the illustration (A) beats Phong shading of the same cutaway (B) in NSS,
 the interval's lower end above 0, under the primary model and under one other kind of map, and when
-the swapped style (D) turns the sign of the mean under both. The rule was set before any two
-conditions were compared.
+the swapped style (D) falls below B under both, the interval's upper end below 0: a swapped style
+that is not told from B says nothing about the style's place.
 """
 from dataclasses import dataclass
 
 from .experiment import CONDITIONS, DATA_SETS, UNITS_PER_DATA_SET
-from .models import PRIMARY, SECOND_OPINION
+from .models import PRIMARY, SECOND_OPINION, SINGLE_PASS
 
 DECISIVE = ("A-B", "nss")
 CONTROL = ("D-B", "nss")
@@ -37,25 +37,24 @@ class Verdict:
         return "\n".join([HEADLINES[self.outcome], *self.reasons, *self.caveats])
 
 
-def judge(results):
+def judge(results, requirements=()):
     """Verdict on analyse(...)'s {model: ModelResult}; both PRIMARY and SECOND_OPINION must be
-    there, with A, B and D."""
+    there, with A, B and D. requirements: Requirements to name where they do not hold."""
     comparisons = {
         model: results[model].comparisons[DECISIVE] for model in (PRIMARY, SECOND_OPINION)
     }
     controls = {model: results[model].comparisons[CONTROL] for model in (PRIMARY, SECOND_OPINION)}
     reasons = [_sentence(model, comparison) for model, comparison in comparisons.items()]
     reasons += [_control_sentence(model, control) for model, control in controls.items()]
-    return Verdict(
-        _outcome(comparisons, controls), reasons, _caveats(results, comparisons[PRIMARY])
-    )
+    caveats = _caveats(results, comparisons[PRIMARY]) + _unmet(requirements)
+    return Verdict(_outcome(comparisons, controls), reasons, caveats)
 
 
 def _outcome(comparisons, controls):
     if comparisons[PRIMARY].units_interval[1] < 0:
         return "contradicted"
     both_above = all(comparison.units_interval[0] > 0 for comparison in comparisons.values())
-    turned = all(control.mean < 0 for control in controls.values())
+    turned = all(control.units_interval[1] < 0 for control in controls.values())
     return "supported" if both_above and turned else "not shown"
 
 
@@ -69,13 +68,16 @@ def _sentence(model, c):
 
 
 def _control_sentence(model, control):
-    turned = (
-        "turns the sign, as it should"
-        if control.mean < 0
-        else "does not turn the sign: the gain is not the style's place"
-    )
     figure = _figure(control.mean, control.units_interval)
-    return f"{model}: the swapped style minus B is {figure}, which {turned}."
+    return f"{model}: the swapped style minus B is {figure}, which {_turn(control.units_interval)}."
+
+
+def _turn(interval):
+    if interval[1] < 0:
+        return "turns the sign, as it should"
+    if interval[0] > 0:
+        return "does not turn the sign: the gain is not the style's place"
+    return "is not distinguishable from B: it does not support the claim"
 
 
 def _direction(interval):
@@ -86,15 +88,16 @@ def _direction(interval):
     return "within chance"
 
 
-def _figure(mean, interval):
-    return f"{mean:+.3f} (95 % interval {interval[0]:+.3f} to {interval[1]:+.3f})"
+def _figure(mean, interval, form="+.3f"):
+    return f"{mean:{form}} (95 % interval {interval[0]:{form}} to {interval[1]:{form}})"
 
 
 def _caveats(results, decisive):
     return [
         sentence
         for sentence in (
-            _size(decisive),
+            _size(decisive.units_by_data_set),
+            _single_pass(results),
             _reach(decisive),
             _p_value(decisive),
             _hits(results),
@@ -104,13 +107,30 @@ def _caveats(results, decisive):
     ]
 
 
-def _size(c):
-    if c.data_sets >= DATA_SETS and c.units >= UNITS_PER_DATA_SET * c.data_sets:
+def _size(units_by_data_set):
+    """Set by set: a sum would let one with many units hide one with few."""
+    short = [
+        f"{data_set}: {units} of {UNITS_PER_DATA_SET} units"
+        for data_set, units in units_by_data_set.items()
+        if units < UNITS_PER_DATA_SET
+    ]
+    if len(units_by_data_set) < DATA_SETS:
+        short.append(f"{len(units_by_data_set)} of {DATA_SETS} data sets")
+    return f"The sample is smaller than planned: {', '.join(short)}." if short else None
+
+
+def _single_pass(results):
+    """The other normalisation does not decide, but where it says something else it must be said."""
+    if SINGLE_PASS not in results:
         return None
-    return (
-        f"The sample is smaller than planned: {c.units} units of {c.data_sets} data sets, "
-        f"not {UNITS_PER_DATA_SET} of each of {DATA_SETS}."
-    )
+    told = [
+        f"{c.first} minus {c.second} is {_figure(c.mean, c.units_interval)}"
+        for key, c in results[SINGLE_PASS].comparisons.items()
+        if key in (DECISIVE, CONTROL)
+        and _direction(c.units_interval)
+        != _direction(results[PRIMARY].comparisons[key].units_interval)
+    ]
+    return f"{SINGLE_PASS} disagrees with {PRIMARY}: {' and '.join(told)}." if told else None
 
 
 def _reach(c):
@@ -133,10 +153,21 @@ def _p_value(c):
     return f"The interval and the sign-flip test ({p}) disagree: read the effect as borderline."
 
 
+def _unmet(requirements):
+    return [f"Required and not shown: {_requirement(r)}." for r in requirements if not r.holds]
+
+
+def _requirement(r):
+    if r.units == 0:
+        return f"{r.text} (no unit tells)"
+    return f"{r.text}, the difference is {_figure(r.mean, r.units_interval, '+.4f')}"
+
+
 def _hits(results):
-    hits, rates = results[PRIMARY].hits["A-B"], results[PRIMARY].hit_rates
+    hits, rates = results[PRIMARY].hits["A-B", "first_hit"], results[PRIMARY].hit_rates
     return (
-        f"The first winner lies in the focus in {rates['A']:.0%} of A and {rates['B']:.0%} of B "
+        f"The first winner lies in the focus in {rates['A']['first_hit']:.0%} of A "
+        f"and {rates['B']['first_hit']:.0%} of B "
         f"(McNemar p = {hits.mcnemar_p:.2g} "
         f"from {hits.only_first + hits.only_second} differing units)."
     )

@@ -1,10 +1,12 @@
 import json
 import random
 import unittest
+from dataclasses import replace
 
 import numpy
 
-from saliency import PRIMARY, SECOND_OPINION, Observation, analyse, judge
+from saliency import PRIMARY, SECOND_OPINION, SINGLE_PASS, Observation, analyse, judge
+from saliency.experiment import HITS
 from saliency.metrics import Scores
 
 
@@ -27,6 +29,11 @@ def observations(
                     yield Observation(
                         f"volume {data_set}", f"view {unit}", condition, model, result
                     )
+
+
+def relabelled(some):
+    """What the primary model says, as said by its variant."""
+    return [replace(o, model=SINGLE_PASS) for o in some if o.model == PRIMARY]
 
 
 def verdict(*arguments, **named):
@@ -54,10 +61,27 @@ class Analysis(unittest.TestCase):
 
     def test_the_hits_add_up(self):
         result = analyse(list(observations(0.5)))[PRIMARY]
-        hits = result.hits["A-B"]
-        self.assertEqual(hits.both + hits.only_first + hits.only_second + hits.neither, 36)
-        self.assertAlmostEqual(result.hit_rates["A"], (hits.both + hits.only_first) / 36)
-        self.assertAlmostEqual(result.hit_rates["B"], (hits.both + hits.only_second) / 36)
+        for hit in HITS:
+            hits = result.hits["A-B", hit]
+            self.assertEqual(hits.both + hits.only_first + hits.only_second + hits.neither, 36)
+            self.assertAlmostEqual(result.hit_rates["A"][hit], (hits.both + hits.only_first) / 36)
+            self.assertAlmostEqual(result.hit_rates["B"][hit], (hits.both + hits.only_second) / 36)
+
+    def test_each_kind_of_hit_and_each_rank_is_counted_by_itself(self):
+        ranks = {"A": (1, 1, 2), "B": (5, None, None)}
+        some = [
+            Observation("head", f"view {n}", c, PRIMARY, Scores(0, 0.5, 1, r == 1, n == 0, r))
+            for c, of_condition in ranks.items()
+            for n, r in enumerate(of_condition)
+        ]
+        result = analyse(some)[PRIMARY]
+        self.assertEqual(result.hit_ranks, {"A": [2, 1, 0, 0, 0, 0], "B": [0, 0, 0, 0, 1, 2]})
+        rates = result.hit_rates["A"]
+        self.assertAlmostEqual(rates["first_hit"], 2 / 3)
+        self.assertAlmostEqual(rates["proto_object_hit"], 1 / 3)
+        self.assertEqual(rates["any_hit"], 1)
+        self.assertEqual(result.hits["A-B", "any_hit"].only_first, 2)
+        self.assertEqual(result.hits["A-B", "proto_object_hit"].both, 1)
 
     def test_the_order_of_observations_does_not_matter(self):
         ordered = list(observations(0.3))
@@ -110,6 +134,14 @@ class Judgement(unittest.TestCase):
         self.assertEqual(result.outcome, "not shown")
         self.assertIn("does not turn the sign", result.text)
 
+    def test_a_swapped_style_that_is_not_told_from_the_control_supports_nothing(self):
+        result = verdict(0.5, swapped=-0.12)
+        control = analyse(list(observations(0.5, swapped=-0.12)))[PRIMARY].comparisons["D-B", "nss"]
+        self.assertLess(control.mean, 0)
+        self.assertGreater(control.units_interval[1], 0)
+        self.assertEqual(result.outcome, "not shown")
+        self.assertIn("is not distinguishable from B", result.text)
+
     def test_many_data_sets_carry_further(self):
         self.assertIn(
             "It also holds with data sets as the sampled unit", verdict(0.5, data_sets=6).text
@@ -117,6 +149,25 @@ class Judgement(unittest.TestCase):
 
     def test_a_small_sample_is_owned_up_to(self):
         self.assertIn(
-            "smaller than planned: 8 units of 2 data sets", verdict(0.5, data_sets=2, units=4).text
+            "smaller than planned: volume 0: 4 of 12 units, volume 1: 4 of 12 units, "
+            "2 of 3 data sets.",
+            verdict(0.5, data_sets=2, units=4).text,
         )
         self.assertNotIn("smaller than planned", verdict(0.5).text)
+
+    def test_a_set_with_many_units_does_not_hide_one_with_few(self):
+        many = [o for o in observations(0.5, units=20) if o.data_set != "volume 1"]
+        few = [o for o in observations(0.5, units=7) if o.data_set == "volume 1"]
+        self.assertIn(
+            "smaller than planned: volume 1: 7 of 12 units.", judge(analyse(many + few)).text
+        )
+
+    def test_the_single_pass_is_named_where_it_disagrees(self):
+        agrees, disagrees = (
+            list(observations(0.5)) + relabelled(observations(0.5, swapped=swapped, seed=2))
+            for swapped in (-0.4, 0.4)
+        )
+        self.assertNotIn("single pass", judge(analyse(agrees)).text)
+        result = judge(analyse(disagrees))
+        self.assertEqual(result.outcome, "supported")
+        self.assertRegex(result.text, "single pass disagrees with .*: D minus B is [+]0.3")
