@@ -71,7 +71,7 @@ void RenderThread::upload(std::shared_ptr<const LoadedVolume> volume, ProgressSi
   std::future<void> done = job.done.get_future();
   {
     const std::lock_guard lock(inbox_mutex_);
-    inbox_.uploads.push_back(std::move(job));
+    uploads_.push_back(std::move(job));
   }
   queue_.wake();
   try {
@@ -81,23 +81,16 @@ void RenderThread::upload(std::shared_ptr<const LoadedVolume> volume, ProgressSi
   }
 }
 
-void RenderThread::release(std::uint64_t view) {
-  {
-    const std::lock_guard lock(inbox_mutex_);
-    inbox_.released.push_back(view);
-  }
-  replace(queue_.withdraw(view));
-  queue_.wake();
-}
+void RenderThread::release(std::uint64_t view) { replace(queue_.release(view)); }
 
 void RenderThread::take_inbox(RenderWorker& worker) {
-  Inbox inbox;
+  worker.release(queue_.take_released());
+  std::vector<UploadJob> uploads;
   {
     const std::lock_guard lock(inbox_mutex_);
-    inbox = std::exchange(inbox_, {});
+    uploads = std::exchange(uploads_, {});
   }
-  for (const std::uint64_t view : inbox.released) worker.release(view);
-  for (UploadJob& job : inbox.uploads) worker.add(std::move(job));
+  for (UploadJob& job : uploads) worker.add(std::move(job));
 }
 
 }  // namespace cutaway

@@ -101,23 +101,18 @@ class RenderThread {
   void upload(std::shared_ptr<const LoadedVolume> volume, ProgressSink progress,
               std::stop_token stop);
 
-  /// Forgets the view's buffers; a job that waits or is being drawn ends as replaced.
+  /// Forgets the view's buffers; a job that waits or is being drawn ends as replaced. One that is
+  /// submitted later is drawn.
   void release(std::uint64_t view);
 
  private:
   void serve(RenderWorker& worker, const std::stop_token& stop);
   void take_inbox(RenderWorker& worker);
 
-  /// What is not drawn; taken between frames.
-  struct Inbox {
-    std::vector<std::uint64_t> released;
-    std::vector<UploadJob> uploads;
-  };
-
   RendererInfo info_;
   JobQueue<RenderJob> queue_;
   std::mutex inbox_mutex_;
-  Inbox inbox_;
+  std::vector<UploadJob> uploads_;  ///< not begun; taken between frames
   std::atomic<bool> lost_ = false;
   std::jthread thread_;
 };

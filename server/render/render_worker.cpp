@@ -54,8 +54,9 @@ bool RenderWorker::draw_some(JobQueue<RenderJob>& queue) {
     drawing = drawing_.end();
   }
   if (drawing == drawing_.end()) {
-    std::optional<RenderJob> job = queue.withdraw(view);  // its owner may have taken it back
-    if (!job || !begin(std::move(*job))) return true;
+    JobQueue<RenderJob>::Taken taken = queue.take(view);
+    release(taken.released);
+    if (!taken.job || !begin(std::move(*taken.job))) return true;  // it may have been taken back
     drawing = std::prev(drawing_.end());
   }
   step(drawing);
@@ -139,6 +140,10 @@ void RenderWorker::end(Place drawing, RenderOutcome outcome) {
   const RenderJob job = std::move(drawing->job);
   drawing_.erase(drawing);
   hand_over(job, std::move(outcome));
+}
+
+void RenderWorker::release(std::span<const std::uint64_t> views) {
+  for (const std::uint64_t view : views) release(view);
 }
 
 void RenderWorker::release(std::uint64_t view) {

@@ -119,6 +119,16 @@ TEST_F(RenderThreads, ForgetsAReleasedViewAndDrawsItAnew) {
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(7)).get()));
 }
 
+// The thread is idle and wakes by the release; it finds the job beside it.
+TEST_F(RenderThreads, AReleaseDoesNotEndWhatIsAskedForAfterIt) {
+  const RenderRequest wanted = request(7);
+  for (int round = 0; round < 30; ++round) {
+    ASSERT_TRUE(std::holds_alternative<RenderedFrame>(submit(wanted).get())) << round;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    thread_.release(7);
+  }
+}
+
 TEST_F(RenderThreads, LetsGoOfAVolumeThatNobodyWants) {
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
   const std::weak_ptr<const LoadedVolume> first = volume_;
