@@ -3,6 +3,7 @@
 #include <future>
 #include <utility>
 
+#include "core/machine_memory.h"
 #include "render/render_worker.h"
 
 namespace cutaway {
@@ -23,15 +24,17 @@ RenderThread::RenderThread(const gl::ContextOptions& options, const RenderLimits
   thread_ = std::jthread([this, options, limits, &ready](const std::stop_token& stop) {
     std::unique_ptr<gl::Context> context;
     std::unique_ptr<RenderWorker> worker;
+    RenderLimits in_force;
     try {
       context = gl::Context::create(options);
-      worker = std::make_unique<RenderWorker>(*context, limits);
+      in_force = limits_for(limits, context->is_software(), machine_memory_bytes());
+      worker = std::make_unique<RenderWorker>(*context, in_force);
     } catch (...) {
       ready.set_exception(std::current_exception());
       return;
     }
     ready.set_value({context->renderer(), context->version(), context->is_software(),
-                     context->max_3d_texture_size()});
+                     context->max_3d_texture_size(), in_force});
     serve(*worker, stop);
   });
   info_ = info.get();

@@ -40,7 +40,7 @@ void hand_over(const RenderJob& job, RenderOutcome outcome) {
 
 RenderWorker::RenderWorker(const gl::Context& context, const RenderLimits& limits)
     : context_(context),
-      step_cost_(limits.step_cost(context.is_software())),
+      step_cost_(limits.step),
       views_(limits.view_bytes),
       volumes_(context.max_3d_texture_size(), limits.volume_bytes) {}
 

@@ -17,6 +17,7 @@ namespace cutaway {
 
 class RenderWorker {
  public:
+  /// `limits` as limits_for gives them.
   RenderWorker(const gl::Context& context, const RenderLimits& limits);
 
   /// Draws a step of the frame whose view's turn it is, of those that were begun and those that
