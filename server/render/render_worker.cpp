@@ -86,6 +86,7 @@ bool RenderWorker::begin(RenderJob job) {
   ViewState& view = views_.pin(request.view);
   try {
     check_device();
+    volumes_.show(request.view, request.volume);
     drawing.volume = volumes_.use(request.volume);
     drawing.volume->upload_rest();
     drawing.plan = pipeline_.plan(view, *request.scene, *drawing.volume, request.settings);
@@ -149,6 +150,7 @@ void RenderWorker::release(std::span<const std::uint64_t> views) {
 void RenderWorker::release(std::uint64_t view) {
   if (const Place drawing = find(view); drawing != drawing_.end()) end(drawing, RenderReplaced{});
   views_.drop(view);
+  volumes_.forget(view);
   shares_.forget(view);
 }
 

@@ -157,6 +157,25 @@ TEST_F(RenderThreads, KeepsTheVolumesThatWereUsedLastWithinTheLimit) {
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
 }
 
+TEST_F(RenderThreads, WhatAViewShowsStaysBeforeWhatWasUsedSince) {
+  int slabs = 0;
+  const auto upload = [&](const std::shared_ptr<const LoadedVolume>& volume) {
+    slabs = 0;
+    thread_.upload(volume, [&](LoadStage, double) { ++slabs; }, {});
+    return slabs;
+  };
+  const auto first = many_slabs();
+  const auto second = many_slabs();
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
+  upload(first);
+  upload(second);
+  EXPECT_EQ(upload(volume_), 0) << "a view rests on it";
+  thread_.release(1);
+  upload(first);
+  upload(second);
+  EXPECT_EQ(upload(volume_), 1);
+}
+
 TEST_F(RenderThreads, AReceiverThatFailsLeavesTheOthersAlone) {
   thread_.submit({request(1), [](RenderOutcome) { throw std::bad_alloc(); }});
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(2)).get()));
