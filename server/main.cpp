@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "app/commands.h"
+#include "core/printable.h"
 
 int main(int argc, char** argv) {
   CLI::App app(
@@ -26,7 +27,7 @@ int main(int argc, char** argv) {
     // CLI11 prints help and version too, as "errors" with code 0.
     return app.exit(usage) == 0 ? 0 : 2;
   } catch (const std::exception& failure) {
-    std::fprintf(stderr, "cutaway: %s\n", failure.what());
+    std::fprintf(stderr, "cutaway: %s\n", cutaway::printable(failure.what()).c_str());
     return 1;
   }
 }

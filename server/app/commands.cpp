@@ -26,14 +26,18 @@ std::string valid_size(const std::string& text) try {
   return error.what();
 }
 
+std::string named(const std::string& path) { return path.empty() ? "the path is empty" : ""; }
+
 void add_render(CLI::App& app) {
   const auto command = std::make_shared<RenderCommand>();
   CLI::App* render =
       app.add_subcommand("render", "Renders one picture of a scene or style document");
   render->add_option("scene", command->scene_path, "Scene or style document (JSON)")->required();
   render->add_option("-o,--output", command->output_path, "PNG to write")->required();
-  render->add_option("--volume", command->volume,
-                     "phantom:NAME[@SIZE], a file or a folder; PATH#ID for one of several");
+  render
+      ->add_option("--volume", command->volume,
+                   "phantom:NAME[@SIZE], a file or a folder; PATH#ID for one of several")
+      ->check(named);
   render
       ->add_option(
           "--size",
@@ -67,7 +71,9 @@ InfoReaders file_readers() {
 void add_info(CLI::App& app) {
   const auto request = std::make_shared<InfoRequest>();
   CLI::App* info = app.add_subcommand("info", "Says what a file or folder holds");
-  info->add_option("path", request->path, "A file, a folder or phantom:NAME")->required();
+  info->add_option("path", request->path, "A file, a folder or phantom:NAME")
+      ->required()
+      ->check(named);
   info->add_flag("--json", request->as_json, "One JSON object");
   info->callback([request] {
     const int status = run_info(*request, file_readers(), std::cout, std::cerr);

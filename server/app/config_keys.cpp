@@ -134,7 +134,7 @@ std::vector<ConfigKey> other_keys() {
            kMillion, 1024 * kTera, [](Config & c) -> auto& { return c.volumes.volume_bytes; })},
       {"volumes", "memory_bytes",
        integer(
-           kMillion, 1024 * kTera, [](Config & c) -> auto& { return c.volumes.memory_bytes; })},
+           0, 1024 * kTera, [](Config & c) -> auto& { return c.volumes.memory_bytes; })},
       {"volumes", "load_threads",
        integer(
            1, 64, [](Config & c) -> auto& { return c.volumes.load_threads; })},
@@ -142,12 +142,10 @@ std::vector<ConfigKey> other_keys() {
        plain<BooleanKey>([](Config & c) -> auto& { return c.renderer.require_gpu; })},
       {"renderer", "volume_bytes",
        integer(
-           kMillion, 1024 * kTera,
-           [](Config & c) -> auto& { return c.renderer.limits.volume_bytes; })},
+           0, 1024 * kTera, [](Config & c) -> auto& { return c.renderer.limits.volume_bytes; })},
       {"renderer", "view_bytes",
        integer(
-           kMillion, 1024 * kTera,
-           [](Config & c) -> auto& { return c.renderer.limits.view_bytes; })},
+           0, 1024 * kTera, [](Config & c) -> auto& { return c.renderer.limits.view_bytes; })},
       {"renderer", "encode_threads",
        integer(
            1, 64, [](Config & c) -> auto& { return c.renderer.encode_threads; })},

@@ -28,6 +28,8 @@ class FrameService : public FrameSource {
   RendererDescription describe() const override;
   std::string trouble() const override;
 
+  const RenderLimits& limits() const { return renderer_->info().limits; }
+
   /// Works for as long as this does.
   UploadTarget upload_target();
 

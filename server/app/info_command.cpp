@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "app/named_path.h"
+#include "core/printable.h"
 #include "volume/phantoms.h"
 
 namespace cutaway {
@@ -75,8 +77,8 @@ void print_lines(const Report& report, std::ostream& out) {
     const VolumeDescription& description = facts.description;
     const std::string modality = description.modality.empty() ? "" : ", " + description.modality;
     const std::string unit = description.units == "none" ? "" : " " + description.units;
-    out << fmt::format("{}\n  title      {}\n  format     {}{}\n", description.id,
-                       description.title, description.format, modality)
+    out << fmt::format("{}\n  title      {}\n  format     {}{}\n", printable(description.id),
+                       printable(description.title), description.format, printable(modality))
         << fmt::format("  size       {} voxels\n", fmt::join(extents(facts), " x "))
         << fmt::format("  spacing    {:.6g} mm\n",
                        fmt::join(plain(facts.geometry.spacing_mm), " x "))
@@ -86,10 +88,11 @@ void print_lines(const Report& report, std::ostream& out) {
                        fmt::join(row_major(facts.geometry.direction_patient), " "))
         << fmt::format("  values     {:.6g} to {:.6g}{}\n", facts.value_range.minimum,
                        facts.value_range.maximum, unit);
-    for (const auto& warning : description.warnings) out << "  warning    " << warning << '\n';
+    for (const auto& warning : description.warnings)
+      out << "  warning    " << printable(warning) << '\n';
   }
   for (const auto& [path, reason] : report.refused) {
-    out << "refused " << path.string() << "\n  " << reason << '\n';
+    out << "refused " << printable(path.string()) << "\n  " << printable(reason) << '\n';
   }
   if (report.volumes.empty() && report.refused.empty()) out << "no volumes\n";
 }
@@ -123,29 +126,32 @@ Report examine(const std::string& path, const InfoReaders& readers) {
                  .field = path,
                  .expected = "phantom:head, phantom:abdomen or phantom:knees"});
   }
+  const NamedPath named = named_path(fs::absolute(path));
+  return read_all(readers.scan(named.path, named.root), readers);
+}
+
+/// Of a file without a volume; empty where all is well.
+std::string failure_of(const std::string& path, const Report& report) {
   std::error_code failed;
-  const fs::path absolute = fs::absolute(path);
-  const bool is_folder = fs::is_directory(absolute, failed);
-  return read_all(readers.scan(absolute, is_folder ? absolute : absolute.parent_path()), readers);
+  if (!fs::is_regular_file(path, failed) || !report.volumes.empty()) return "";
+  return path + ": " +
+         (report.refused.empty() ? "no volume of a known format" : report.refused.front().reason);
 }
 
 }  // namespace
 
 int run_info(const InfoRequest& request, const InfoReaders& readers, std::ostream& out,
              std::ostream& errors) {
+  std::string failure;
   try {
     const Report report = examine(request.path, readers);
     request.as_json ? print_json(report, out) : print_lines(report, out);
-    std::error_code failed;
-    const bool is_file = fs::is_regular_file(request.path, failed);
-    if (!is_file || !report.volumes.empty()) return 0;
-    errors << "cutaway info: " << request.path << ": "
-           << (report.refused.empty() ? "no volume of a known format"
-                                      : report.refused.front().reason)
-           << '\n';
+    failure = out.flush() ? failure_of(request.path, report) : "the report cannot be written";
   } catch (const Error& error) {
-    errors << "cutaway info: " << error.what() << '\n';
+    failure = error.what();
   }
+  if (failure.empty()) return 0;
+  errors << "cutaway info: " << printable(failure) << '\n';
   return 1;
 }
 

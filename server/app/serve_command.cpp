@@ -9,6 +9,7 @@
 #include "app/frame_service.h"
 #include "app/volume_service.h"
 #include "core/log.h"
+#include "core/machine_memory.h"
 #include "net/server.h"
 #include "scene/json_text.h"
 #include "scene/server_message.h"
@@ -67,6 +68,12 @@ void say_renderer(const RendererDescription& renderer) {
   log().warn("NO GPU IS USED: pictures are rendered in software, slowly and at low resolution");
 }
 
+void say_memory(const VolumeSettings& volumes, const RenderLimits& renderer) {
+  log().info("memory: at most {} for volumes, {} for their textures, {} for views",
+             gibibytes(memory_limit(volumes)), gibibytes(renderer.volume_bytes),
+             gibibytes(renderer.view_bytes));
+}
+
 fs::path this_executable() {
   std::error_code error;
   return fs::read_symlink("/proc/self/exe", error);
@@ -94,6 +101,7 @@ Serving::Serving(const Config& config)
   volumes_ = std::make_unique<VolumeService>(with_reader(config.volumes), frames_->upload_target());
   const RendererDescription renderer = frames_->describe();
   say_renderer(renderer);
+  say_memory(config.volumes, frames_->limits());
   if (renderer.software) {
     SessionSettings& settings = session_settings_;
     settings.still_rays = std::min(settings.still_rays, kStillRaysInSoftware);

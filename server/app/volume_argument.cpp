@@ -3,6 +3,7 @@
 #include "volume/phantoms.h"
 
 #ifdef CUTAWAY_IMPORT
+#include "app/named_path.h"
 #include "import/isolated_reader.h"
 #endif
 
@@ -32,13 +33,23 @@ std::string ids_of(const Listing& listing) {
                .received = std::to_string(listing.volumes.size()) + " volumes"});
 }
 
+struct Wanted {
+  std::string path;
+  std::string id;  ///< empty: the only volume there
+};
+
+/// A name may hold '#' itself.
+Wanted split(const std::string& argument) {
+  std::error_code failed;
+  const auto hash = argument.rfind('#');
+  if (hash == std::string::npos || std::filesystem::exists(argument, failed)) return {argument, ""};
+  return {argument.substr(0, hash), argument.substr(hash + 1)};
+}
+
 Volume read_path(const std::string& argument, const ProgressSink& progress) {
-  const auto hash = argument.find('#');
-  const std::filesystem::path path = argument.substr(0, hash);
-  const std::string wanted = hash == std::string::npos ? "" : argument.substr(hash + 1);
-  const auto root =
-      std::filesystem::is_directory(path) ? path : std::filesystem::absolute(path).parent_path();
-  const Listing listing = scan_volumes_isolated({}, path, root, {}, {});
+  const auto [path, wanted] = split(argument);
+  const NamedPath named = named_path(path);
+  const Listing listing = scan_volumes_isolated({}, named.path, named.root, {}, {});
   for (const VolumeSource& source : listing.volumes) {
     const bool only_one = wanted.empty() && listing.volumes.size() == 1;
     if (only_one || source.description.id == wanted)

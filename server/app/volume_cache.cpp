@@ -19,11 +19,12 @@ void VolumeCache::make_room(std::uint64_t bytes) {
   while (used_bytes() + bytes > bytes_) {
     const auto oldest = std::find_if(volumes_.rbegin(), volumes_.rend(), unused);
     if (oldest == volumes_.rend()) {
-      throw Error({.code = "too-large",
-                   .message = "the memory for volumes is taken by those that are shown",
-                   .expected = std::to_string(bytes_) + " bytes for all volumes together",
-                   .received = std::to_string(used_bytes()) + " in use and " +
-                               std::to_string(bytes) + " more wanted"});
+      throw Error(
+          {.code = "too-large",
+           .message = "the memory for volumes has no room for it beside those that are shown",
+           .expected = std::to_string(bytes_) + " bytes for all volumes together",
+           .received = std::to_string(used_bytes()) + " in use and " + std::to_string(bytes) +
+                       " more wanted"});
     }
     volumes_.erase(std::next(oldest).base());
   }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/client_words.h"
+#include "app/named_path.h"
 #include "core/log.h"
 #include "scene/scene_json.h"
 #include "volume/phantoms.h"
@@ -141,14 +142,14 @@ CatalogueEntry file_entry(const VolumeSettings& settings, const VolumeSource& so
 
 }  // namespace
 
-void VolumeCatalogue::scan(const fs::path& path, const std::stop_token& stop) {
-  const fs::path root = fs::is_directory(path) ? path : fs::absolute(path).parent_path();
+void VolumeCatalogue::scan(const fs::path& given, const std::stop_token& stop) {
+  const auto [path, root] = named_path(given);
   const Listing listing = scan_path(settings_, path, root, stop);
   for (const VolumeSource& source : listing.volumes) add(file_entry(settings_, source, root));
   for (const RefusedFile& file : listing.refused) {
     refuse(path_for_client(file.path, root), text_for_client(file.reason, root));
   }
-  log().info("{}: {} volumes, {} refused", path.string(), listing.volumes.size(),
+  log().info("{}: {} volumes, {} refused", given.string(), listing.volumes.size(),
              listing.refused.size());
 }
 #else

@@ -6,6 +6,7 @@
 #include "app/client_words.h"
 #include "app/load_job.h"
 #include "core/log.h"
+#include "core/machine_memory.h"
 #include "render/texture_limit.h"
 
 namespace cutaway {
@@ -57,6 +58,10 @@ spdlog::level::level_enum level_of(const Error& error) {
 
 }  // namespace
 
+std::uint64_t memory_limit(const VolumeSettings& settings) {
+  return settings.memory_bytes > 0 ? settings.memory_bytes : machine_memory_bytes() / 2;
+}
+
 /// Holds the job for as long as someone waits for it.
 class LoadTicket final : public OpenTicket {
  public:
@@ -75,7 +80,7 @@ class LoadTicket final : public OpenTicket {
 
 VolumeService::VolumeService(const VolumeSettings& settings, UploadTarget target)
     : target_(std::move(target)),
-      cache_(settings.memory_bytes),
+      cache_(memory_limit(settings)),
       pool_(static_cast<std::size_t>(settings.load_threads)),
       catalogue_(settings, [this] { listing_changed(); }) {}
 

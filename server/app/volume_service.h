@@ -20,6 +20,9 @@ class LoadJob;
 class LoadWaiter;
 class ListingWatch;
 
+/// Bytes that all loaded volumes together may take.
+std::uint64_t memory_limit(const VolumeSettings& settings);
+
 /// Thread-safe. One load serves all who wait for the same volume; it is cancelled when the last of
 /// them goes.
 class VolumeService final : public VolumeLibrary {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <limits>
 
@@ -125,6 +126,16 @@ std::string assumed_place(const TextHeader& text, bool spaced) {
       spacing);
 }
 
+/// Directions of length 1 in a space without name and unit say no more than that the voxels are
+/// cubes: whoever wrote them had no spacing to say.
+bool tells_no_spacing(const TextHeader& text, const std::vector<NrrdAxis>& axes) {
+  constexpr double kRounding = 1e-6;
+  if (text.find("space") || text.find("spaceunits")) return false;
+  return std::ranges::all_of(axes, [](const NrrdAxis& axis) {
+    return axis.direction && std::abs(glm::length(*axis.direction) - 1.0) < kRounding;
+  });
+}
+
 /// "space units" are of directions and origin, "units" of each axis' own spacing.
 void set_place(GridFile& grid, const TextHeader& text, const std::vector<NrrdAxis>& axes) {
   const glm::dvec3 to_lps = nrrd_to_lps(text).value_or(glm::dvec3(1.0));
@@ -144,6 +155,11 @@ void set_place(GridFile& grid, const TextHeader& text, const std::vector<NrrdAxi
   grid.origin_mm = nrrd_origin(grid.header, text) * to_lps_mm;
   if (std::string assumed = assumed_place(text, spaced); !assumed.empty())
     grid.warnings.push_back(std::move(assumed));
+  if (tells_no_spacing(text, axes)) {
+    grid.warnings.push_back(
+        "no physical spacing: the header's directions have length 1 and no unit; spacing taken as "
+        "1 mm");
+  }
 }
 
 }  // namespace

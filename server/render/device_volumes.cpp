@@ -32,8 +32,15 @@ std::shared_ptr<GpuVolume> DeviceVolumes::place(const std::shared_ptr<const Load
 
 bool DeviceVolumes::drop_oldest() {
   if (volumes_.empty()) return false;
-  volumes_.pop_back();
+  const auto unseen = std::find_if(volumes_.rbegin(), volumes_.rend(),
+                                   [this](const auto& volume) { return !is_shown(*volume); });
+  volumes_.erase(unseen == volumes_.rend() ? std::prev(volumes_.end()) : std::next(unseen).base());
   return true;
+}
+
+bool DeviceVolumes::is_shown(const GpuVolume& volume) const {
+  return std::ranges::any_of(
+      shown_, [identity = volume.identity()](const auto& each) { return each.second == identity; });
 }
 
 void DeviceVolumes::drop(const std::shared_ptr<const LoadedVolume>& loaded) {

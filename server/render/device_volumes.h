@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <list>
+#include <map>
 #include <memory>
 
 #include "render/gpu_volume.h"
@@ -10,7 +11,8 @@
 namespace cutaway {
 
 /// Render thread only. What nobody holds any more goes; where the rest is more than the limit, so
-/// do the least recently used. One that is used again is put on the device again.
+/// do the least recently used, those that no view shows before the others. One that is used again
+/// is put on the device again.
 class DeviceVolumes {
  public:
   DeviceVolumes(int max_texture_size, std::uint64_t bytes)
@@ -20,6 +22,11 @@ class DeviceVolumes {
   /// using it holds it: beyond the limit, if need be. Throws Error "volume-refused" or "too-large"
   /// when the device could not hold it alone.
   std::shared_ptr<GpuVolume> use(const std::shared_ptr<const LoadedVolume>& loaded);
+  /// From now on the view shows this volume, also while it rests, until it is forgotten.
+  void show(std::uint64_t view, const std::shared_ptr<const LoadedVolume>& loaded) {
+    shown_[view] = {loaded};
+  }
+  void forget(std::uint64_t view) { shown_.erase(view); }
   void drop(const std::shared_ptr<const LoadedVolume>& loaded);
   void drop_unwanted();
 
@@ -28,10 +35,12 @@ class DeviceVolumes {
  private:
   std::shared_ptr<GpuVolume> place(const std::shared_ptr<const LoadedVolume>& loaded);
   bool drop_oldest();
+  bool is_shown(const GpuVolume& volume) const;
 
   int max_texture_size_;
   std::uint64_t bytes_;
   std::list<std::shared_ptr<GpuVolume>> volumes_;  ///< the most recently used first
+  std::map<std::uint64_t, VolumeIdentity> shown_;  ///< by view
 };
 
 }  // namespace cutaway

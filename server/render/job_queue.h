@@ -13,11 +13,17 @@
 
 namespace cutaway {
 
-/// At most one waiting job a view: the newest, in the place of the first. Thread-safe. `Job` has a
-/// member `view`.
+/// At most one waiting job a view: the newest, in the place of the first; and the views that were
+/// released, so that who takes a job hears of every release that was asked for before it, and of
+/// none that came after. Thread-safe. `Job` has a member `view`.
 template <typename Job>
 class JobQueue {
  public:
+  struct Taken {
+    std::vector<std::uint64_t> released;  ///< to be heeded first
+    std::optional<Job> job;
+  };
+
   /// Returns the view's job that was waiting and whose place the new one takes, if there was one.
   std::optional<Job> put(Job job) {
     const std::lock_guard lock(mutex_);
@@ -41,16 +47,25 @@ class JobQueue {
     return false;
   }
 
-  /// The view's waiting job, which will now not be served.
-  std::optional<Job> withdraw(std::uint64_t view) {
+  /// Lets go of a view. Returns its waiting job, which will now not be served.
+  std::optional<Job> release(std::uint64_t view) {
     const std::lock_guard lock(mutex_);
-    for (auto at = jobs_.begin(); at != jobs_.end(); ++at) {
-      if (at->view() != view) continue;
-      std::optional<Job> job(std::move(*at));
-      jobs_.erase(at);
-      return job;
-    }
-    return std::nullopt;
+    released_.push_back(view);
+    woken_ = true;
+    changed_.notify_one();
+    return withdraw(view);
+  }
+
+  /// The views released since they were last taken.
+  std::vector<std::uint64_t> take_released() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(released_, {});
+  }
+
+  /// The view's waiting job, if it still waits.
+  Taken take(std::uint64_t view) {
+    const std::lock_guard lock(mutex_);
+    return {std::exchange(released_, {}), withdraw(view)};
   }
 
   /// The views whose jobs wait, in the order in which they began to.
@@ -94,9 +109,20 @@ class JobQueue {
   }
 
  private:
+  std::optional<Job> withdraw(std::uint64_t view) {
+    for (auto at = jobs_.begin(); at != jobs_.end(); ++at) {
+      if (at->view() != view) continue;
+      std::optional<Job> job(std::move(*at));
+      jobs_.erase(at);
+      return job;
+    }
+    return std::nullopt;
+  }
+
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
   std::deque<Job> jobs_;
+  std::vector<std::uint64_t> released_;
   bool woken_ = false;
 };
 

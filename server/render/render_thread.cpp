@@ -3,6 +3,7 @@
 #include <future>
 #include <utility>
 
+#include "core/machine_memory.h"
 #include "render/render_worker.h"
 
 namespace cutaway {
@@ -23,15 +24,17 @@ RenderThread::RenderThread(const gl::ContextOptions& options, const RenderLimits
   thread_ = std::jthread([this, options, limits, &ready](const std::stop_token& stop) {
     std::unique_ptr<gl::Context> context;
     std::unique_ptr<RenderWorker> worker;
+    RenderLimits in_force;
     try {
       context = gl::Context::create(options);
-      worker = std::make_unique<RenderWorker>(*context, limits);
+      in_force = limits_for(limits, context->is_software(), machine_memory_bytes());
+      worker = std::make_unique<RenderWorker>(*context, in_force);
     } catch (...) {
       ready.set_exception(std::current_exception());
       return;
     }
     ready.set_value({context->renderer(), context->version(), context->is_software(),
-                     context->max_3d_texture_size()});
+                     context->max_3d_texture_size(), in_force});
     serve(*worker, stop);
   });
   info_ = info.get();
@@ -71,7 +74,7 @@ void RenderThread::upload(std::shared_ptr<const LoadedVolume> volume, ProgressSi
   std::future<void> done = job.done.get_future();
   {
     const std::lock_guard lock(inbox_mutex_);
-    inbox_.uploads.push_back(std::move(job));
+    uploads_.push_back(std::move(job));
   }
   queue_.wake();
   try {
@@ -81,23 +84,16 @@ void RenderThread::upload(std::shared_ptr<const LoadedVolume> volume, ProgressSi
   }
 }
 
-void RenderThread::release(std::uint64_t view) {
-  {
-    const std::lock_guard lock(inbox_mutex_);
-    inbox_.released.push_back(view);
-  }
-  replace(queue_.withdraw(view));
-  queue_.wake();
-}
+void RenderThread::release(std::uint64_t view) { replace(queue_.release(view)); }
 
 void RenderThread::take_inbox(RenderWorker& worker) {
-  Inbox inbox;
+  worker.release(queue_.take_released());
+  std::vector<UploadJob> uploads;
   {
     const std::lock_guard lock(inbox_mutex_);
-    inbox = std::exchange(inbox_, {});
+    uploads = std::exchange(uploads_, {});
   }
-  for (const std::uint64_t view : inbox.released) worker.release(view);
-  for (UploadJob& job : inbox.uploads) worker.add(std::move(job));
+  for (UploadJob& job : uploads) worker.add(std::move(job));
 }
 
 }  // namespace cutaway

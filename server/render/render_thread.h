@@ -14,6 +14,7 @@
 #include "core/progress.h"
 #include "gl/context.h"
 #include "render/job_queue.h"
+#include "render/render_limits.h"
 #include "render/render_settings.h"
 #include "render/upload_job.h"
 #include "scene/scene.h"
@@ -52,27 +53,12 @@ struct RenderJob {
 
 class RenderWorker;
 
-/// What the render thread may take of the device.
-struct RenderLimits {
-  std::uint64_t volume_bytes = std::uint64_t{8} << 30;  ///< textures of volumes
-  std::uint64_t view_bytes = std::uint64_t{2} << 30;    ///< buffers of views
-  /// How much of one frame is drawn before another has its turn, in pixels of a simple pass (a ray
-  /// costs four); 0: what about 20 ms are on two cores, on a GPU any frame as a whole.
-  std::int64_t step = 0;
-
-  bool operator==(const RenderLimits&) const = default;
-
-  std::int64_t step_cost(bool is_software) const {
-    if (step > 0) return step;
-    return is_software ? std::int64_t{1} << 19 : std::int64_t{1} << 27;
-  }
-};
-
 struct RendererInfo {
   std::string renderer;
   std::string version;
   bool is_software = false;
   int largest_edge_voxels = 0;  ///< of a volume
+  RenderLimits limits;          ///< those in force
 };
 
 /// Thread-safe. Destroying it ends waiting jobs as replaced and uploads as cancelled.
@@ -101,23 +87,18 @@ class RenderThread {
   void upload(std::shared_ptr<const LoadedVolume> volume, ProgressSink progress,
               std::stop_token stop);
 
-  /// Forgets the view's buffers; a job that waits or is being drawn ends as replaced.
+  /// Forgets the view's buffers; a job that waits or is being drawn ends as replaced. One that is
+  /// submitted later is drawn.
   void release(std::uint64_t view);
 
  private:
   void serve(RenderWorker& worker, const std::stop_token& stop);
   void take_inbox(RenderWorker& worker);
 
-  /// What is not drawn; taken between frames.
-  struct Inbox {
-    std::vector<std::uint64_t> released;
-    std::vector<UploadJob> uploads;
-  };
-
   RendererInfo info_;
   JobQueue<RenderJob> queue_;
   std::mutex inbox_mutex_;
-  Inbox inbox_;
+  std::vector<UploadJob> uploads_;  ///< not begun; taken between frames
   std::atomic<bool> lost_ = false;
   std::jthread thread_;
 };

@@ -40,7 +40,7 @@ void hand_over(const RenderJob& job, RenderOutcome outcome) {
 
 RenderWorker::RenderWorker(const gl::Context& context, const RenderLimits& limits)
     : context_(context),
-      step_cost_(limits.step_cost(context.is_software())),
+      step_cost_(limits.step),
       views_(limits.view_bytes),
       volumes_(context.max_3d_texture_size(), limits.volume_bytes) {}
 
@@ -54,8 +54,9 @@ bool RenderWorker::draw_some(JobQueue<RenderJob>& queue) {
     drawing = drawing_.end();
   }
   if (drawing == drawing_.end()) {
-    std::optional<RenderJob> job = queue.withdraw(view);  // its owner may have taken it back
-    if (!job || !begin(std::move(*job))) return true;
+    JobQueue<RenderJob>::Taken taken = queue.take(view);
+    release(taken.released);
+    if (!taken.job || !begin(std::move(*taken.job))) return true;  // it may have been taken back
     drawing = std::prev(drawing_.end());
   }
   step(drawing);
@@ -85,6 +86,7 @@ bool RenderWorker::begin(RenderJob job) {
   ViewState& view = views_.pin(request.view);
   try {
     check_device();
+    volumes_.show(request.view, request.volume);
     drawing.volume = volumes_.use(request.volume);
     drawing.volume->upload_rest();
     drawing.plan = pipeline_.plan(view, *request.scene, *drawing.volume, request.settings);
@@ -141,9 +143,14 @@ void RenderWorker::end(Place drawing, RenderOutcome outcome) {
   hand_over(job, std::move(outcome));
 }
 
+void RenderWorker::release(std::span<const std::uint64_t> views) {
+  for (const std::uint64_t view : views) release(view);
+}
+
 void RenderWorker::release(std::uint64_t view) {
   if (const Place drawing = find(view); drawing != drawing_.end()) end(drawing, RenderReplaced{});
   views_.drop(view);
+  volumes_.forget(view);
   shares_.forget(view);
 }
 

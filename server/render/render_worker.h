@@ -4,6 +4,7 @@
 #include <chrono>
 #include <deque>
 #include <list>
+#include <span>
 
 #include "gl/fence.h"
 #include "render/device_volumes.h"
@@ -16,6 +17,7 @@ namespace cutaway {
 
 class RenderWorker {
  public:
+  /// `limits` as limits_for gives them.
   RenderWorker(const gl::Context& context, const RenderLimits& limits);
 
   /// Draws a step of the frame whose view's turn it is, of those that were begun and those that
@@ -36,8 +38,8 @@ class RenderWorker {
   /// True once the graphics device was lost; every job fails from then on.
   bool is_lost() const { return lost_; }
 
-  /// Forgets the view; a frame of it that is being drawn ends as replaced.
-  void release(std::uint64_t view);
+  /// Forgets the views; frames of them that are being drawn end as replaced.
+  void release(std::span<const std::uint64_t> views);
   /// Ends every frame: those that are complete as frames, the others as replaced.
   void give_up();
   /// Frees what nobody has asked for in a while.
@@ -60,6 +62,7 @@ class RenderWorker {
 
   std::vector<std::uint64_t> views_that_wait(const JobQueue<RenderJob>& queue) const;
   Place find(std::uint64_t view);
+  void release(std::uint64_t view);
   bool begin(RenderJob job);
   void step(Place drawing);
   void end(Place drawing, RenderOutcome outcome);

@@ -4,6 +4,7 @@
 
 #include "scene/json_text.h"
 #include "scene/schema.h"
+#include "scene/schema_words.h"
 
 namespace cutaway {
 
@@ -61,24 +62,56 @@ const std::map<std::string, Reading, std::less<>>& readings() {
   return all;
 }
 
+/// Null where the message has none.
+Json type_of(const Json& message) {
+  return message.is_object() ? message.value("type", Json()) : Json();
+}
+
 bool sizes_a_picture(const Json& message) {
-  if (!message.is_object() || !message.contains("type")) return false;
-  const Json& type = message.at("type");
+  const Json type = type_of(message);
   return type == "viewport" || type == "save_still";
 }
 
 /// Before the schema, which knows the largest limit that a server may have, not this one's.
 void check_sides(const Json& message, int largest_px) {
   if (!sizes_a_picture(message)) return;
+  const std::string range = "1 to " + std::to_string(largest_px) + " px";
   for (const char* side : {"width_px", "height_px"}) {
     const auto px = message.find(side);
-    if (px == message.end() || !px->is_number_integer()) continue;
-    if (*px >= 1 && *px <= largest_px) continue;
-    throw Error({.code = "out-of-range",
+    if (px == message.end()) continue;
+    const bool is_integer = px->is_number_integer();
+    if (is_integer && *px >= 1 && *px <= largest_px) continue;
+    throw Error({.code = is_integer ? "out-of-range" : "wrong-type",
                  .message = "the picture cannot have this size",
                  .field = pointer_to("", side),
-                 .expected = "1 to " + std::to_string(largest_px) + " px",
-                 .received = json_text(*px)});
+                 .expected = is_integer ? range : "an integer from " + range,
+                 .received = words_for_value(*px)});
+  }
+}
+
+/// The message as far as it can be read although a number in it is too large; null where it cannot.
+Json salvaged(std::string_view text) {
+  try {
+    return parse_json(with_numbers_held(std::string(text)));
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+/// What is wrong inside of a scene is named from that scene on.
+Error seen_from_the_scene(const Error& error, std::string_view text) {
+  constexpr std::string_view kScene = "/scene/";
+  Error::Detail detail = error.detail();
+  if (!detail.field.starts_with(kScene) || type_of(salvaged(text)) != "scene") return error;
+  detail.field.erase(0, kScene.size() - 1);
+  return Error(detail);
+}
+
+Json parse_message(std::string_view text) {
+  try {
+    return parse_json(text);
+  } catch (const Error& error) {
+    throw seen_from_the_scene(error, text);
   }
 }
 
@@ -94,7 +127,7 @@ std::optional<std::uint32_t> counter(const Json& message, const char* key) {
 }  // namespace
 
 ClientMessage parse_client_message(std::string_view text, int largest_side_px) {
-  const Json message = parse_json(text);
+  const Json message = parse_message(text);
   check_sides(message, largest_side_px);
   validate(message, "client-message");
   const auto& type = message.at("type").get_ref<const std::string&>();
@@ -106,12 +139,8 @@ Error binary_message_error() {
 }
 
 MessageEcho echo_of(std::string_view text) {
-  try {
-    const Json message = parse_json(text);
-    return {counter(message, "input"), counter(message, "request")};
-  } catch (const Error&) {
-    return {};
-  }
+  const Json message = salvaged(text);
+  return {counter(message, "input"), counter(message, "request")};
 }
 
 MessageEcho echo_of(const ClientMessage& message) {

@@ -1,5 +1,7 @@
 #include "scene/json_text.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -118,6 +120,21 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   std::vector<Level> open_;
 };
 
+constexpr std::string_view kNumberBytes = "+-.0123456789Ee";
+
+std::size_t end_of_string(std::string_view text, std::size_t at) {
+  for (++at; at < text.size() && text[at] != '"'; ++at) {
+    if (text[at] == '\\') ++at;
+  }
+  return at + 1;
+}
+
+bool is_held(std::string_view number) {
+  double value = 0.0;
+  const auto read = std::from_chars(number.data(), number.data() + number.size(), value);
+  return read.ec != std::errc::result_out_of_range;
+}
+
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 }  // namespace
@@ -126,6 +143,24 @@ Json parse_json(std::string_view text) {
   DocumentBuilder builder;
   Json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
+}
+
+std::string with_numbers_held(std::string text) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    if (text[at] == '"') {
+      at = end_of_string(text, at);
+      continue;
+    }
+    const std::size_t end = std::min(text.find_first_not_of(kNumberBytes, at), text.size());
+    if (end > at && !is_held(std::string_view(text).substr(at, end - at))) {
+      std::fill(text.begin() + static_cast<std::ptrdiff_t>(at),
+                text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+      text[at] = '0';
+    }
+    at = std::max(end, at + 1);
+  }
+  return text;
 }
 
 std::string json_text(const Json& value) {

@@ -17,6 +17,10 @@ inline constexpr std::size_t kMaximumJsonDepth = 32;
 /// not-finite with the field of a number that no double holds.
 Json parse_json(std::string_view text);
 
+/// JSON text with 0 in the place of each number that no double holds, so that the rest of it can be
+/// read.
+std::string with_numbers_held(std::string text);
+
 /// Never throws for the content: bytes that are not UTF-8 (titles from files) become U+FFFD.
 std::string json_text(const Json& value);
 

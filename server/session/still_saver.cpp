@@ -30,22 +30,28 @@ StillSaver::~StillSaver() { source_.release(view_); }
 
 void StillSaver::save(const Wish& wish, const SceneSnapshot& snapshot,
                       const FrameQuality& quality) {
-  if (busy_) {
+  if (waiting_) {
     throw Error({.code = "rate-limited",
-                 .message = "another still is being made",
-                 .expected = "one save_still at a time"});
+                 .message = "a still is being made and another one waits",
+                 .expected = "the next save_still once one of the two came"});
   }
-  busy_ = true;
-  const SceneSnapshot shown = resized(snapshot, wish.size);
-  source_.submit(
-      {.view = view_,
-       .revision = shown.revision,
-       .scene = shown.scene,
-       .quality = quality,
-       .encoding = PictureEncoding::png},
-      tether_.bind<FrameOutcome>([this, request = wish.request, shown](FrameOutcome outcome) {
-        came_back(request, shown, std::move(outcome));
-      }));
+  waiting_ = Waiting{wish.request, resized(snapshot, wish.size), quality};
+  if (!busy_) make_next();
+}
+
+void StillSaver::make_next() {
+  busy_ = waiting_.has_value();
+  if (!waiting_) return;
+  const Waiting next = *std::exchange(waiting_, std::nullopt);
+  source_.submit({.view = view_,
+                  .revision = next.shown.revision,
+                  .scene = next.shown.scene,
+                  .quality = next.quality,
+                  .encoding = PictureEncoding::png},
+                 tether_.bind<FrameOutcome>(
+                     [this, request = next.request, shown = next.shown](FrameOutcome outcome) {
+                       came_back(request, shown, std::move(outcome));
+                     }));
 }
 
 void StillSaver::came_back(std::uint32_t request, const SceneSnapshot& shown,
@@ -53,12 +59,12 @@ void StillSaver::came_back(std::uint32_t request, const SceneSnapshot& shown,
   source_.release(view_);
   if (auto* frame = std::get_if<Frame>(&outcome)) {
     sink_.send_still(saved_still_message(request, shown.stamp, shown.scene->viewport, *frame),
-                     tether_.bind<bool>([this](bool) { busy_ = false; }));
+                     tether_.bind<bool>([this](bool) { make_next(); }));
     return;
   }
-  busy_ = false;
   const auto* error = std::get_if<Error>(&outcome);
   failed_(request, error != nullptr ? *error : cancelled());
+  make_next();
 }
 
 }  // namespace cutaway

@@ -4,14 +4,17 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "session/ends.h"
 #include "session/frame_flow.h"
 
 namespace cutaway {
 
-/// One still at a time, in a view of its own, beside the live frames and their credits. Lives on
-/// the session's strand.
+/// One still at a time, in a view of its own, beside the live frames and their credits. One more
+/// may wait, of the scene as it was when it was asked for: a client has the last bytes of a still
+/// before the server knows that they are written, and may ask for the next at once. Lives on the
+/// session's strand.
 class StillSaver {
  public:
   struct Wish {
@@ -26,17 +29,25 @@ class StillSaver {
   StillSaver(const StillSaver&) = delete;
   StillSaver& operator=(const StillSaver&) = delete;
 
-  /// Throws Error while another is under way.
+  /// Throws Error while one waits already.
   void save(const Wish& wish, const SceneSnapshot& snapshot, const FrameQuality& quality);
 
  private:
+  struct Waiting {
+    std::uint32_t request;
+    SceneSnapshot shown;
+    FrameQuality quality;
+  };
+
+  void make_next();
   void came_back(std::uint32_t request, const SceneSnapshot& shown, FrameOutcome outcome);
 
   FrameSource& source_;
   ClientSink& sink_;
   std::uint64_t view_;
   std::function<void(std::uint32_t, const Error&)> failed_;
-  bool busy_ = false;
+  bool busy_ = false;  ///< until the still is written, so that one at most waits in the sink
+  std::optional<Waiting> waiting_;
   Tether tether_;
 };
 

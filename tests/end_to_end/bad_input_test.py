@@ -48,9 +48,9 @@ class BadInputTest(ServedTest):
         client.send(type="ack", frame=2_147_483_700)
         self.refused(client, "out-of-range", "/frame")
         client.socket.send(
-            WebSocket.TEXT, b'{"type":"scene","input":1,"clock_ms":0,"scene":{"lens":{"radius_mm":1e999}}}'
+            WebSocket.TEXT, b'{"type":"scene","input":7,"clock_ms":0,"scene":{"lens":{"radius_mm":1e999}}}'
         )
-        self.refused(client, "not-finite")
+        self.assertEqual(self.refused(client, "not-finite", "/lens/radius_mm")["input"], 7)
         client.frame(client.scene({"background": {"colour": [0, 0.1, 0.1]}}))
 
     def picked(self, client):

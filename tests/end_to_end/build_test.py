@@ -1,4 +1,4 @@
-"""When deploy/build makes the web client anew: in a small tree with stand-ins for cmake and npm.
+"""When deploy/build makes the web client anew, and which CTs the benchmark takes: in a small tree with stand-ins.
 
 Usage: build_test.py [unittest arguments]
 """
@@ -10,7 +10,9 @@ import subprocess
 import tempfile
 import unittest
 
-SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "deploy" / "build"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCRIPT = ROOT / "deploy" / "build"
+BENCHMARK = ROOT / "tests" / "benchmark" / "run"
 NPM = """#!/bin/sh
 echo "$*" >>"$CALLS"
 [ "$1" = run ] && mkdir -p dist src/protocol/generated && date +%N | tee dist/index.html >src/protocol/generated/protocol.ts
@@ -75,6 +77,41 @@ class BuildTest(unittest.TestCase):
     def test_a_build_that_is_gone_is_made_again(self):
         (self.root / "web-client/dist/index.html").unlink()
         self.assertEqual(self.build(), ["run build"])
+
+
+class BenchmarkTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name).resolve()
+        self.root = self.folder / "checkout"
+        for tool, does in (
+            ("deploy/install-packages", "exit 0"),
+            ("deploy/build", "exit 0"),
+            ("build/release/cutaway-benchmark", 'echo "$@"'),
+        ):
+            path = self.root / tool
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(f"#!/bin/sh\n{does}\n")
+            path.chmod(0o755)
+        self.script = self.root / "tests" / "benchmark" / "run"
+        self.script.parent.mkdir(parents=True)
+        shutil.copy(BENCHMARK, self.script)
+
+    def arguments(self, *given, **variables):
+        """What the benchmark is called with."""
+        environment = {name: value for name, value in os.environ.items() if name != "CUTAWAY_TEST_DATA"} | variables
+        done = subprocess.run([self.script, *given], env=environment, check=True, capture_output=True, text=True)
+        return done.stdout.split()
+
+    def test_the_data_beside_the_checkout_is_taken_where_none_is_named(self):
+        self.assertEqual(self.arguments("--json", "f"), ["--json", "f"])
+        data = self.folder / "shared" / "data"
+        data.mkdir(parents=True)
+        (taken,) = set(self.arguments()) - {"--data"}
+        self.assertEqual(pathlib.Path(taken).resolve(), data)
+        self.assertEqual(self.arguments(CUTAWAY_TEST_DATA="/other"), ["--data", "/other"])
+        self.assertEqual(self.arguments("--data", "/named"), ["--data", "/named"])
 
 
 if __name__ == "__main__":

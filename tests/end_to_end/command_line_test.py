@@ -17,6 +17,7 @@ from wire import png_size
 BINARY = None
 OK, FAILED, WRONG_USAGE = 0, 1, 2
 SMALL = "phantom:head@32"
+NRRD = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n\n12345678"
 
 
 def run(*arguments):
@@ -91,6 +92,8 @@ class UsageTest(CommandLineTest):
         for size in ("abc", "0x0", "640", "640x", "-1x5", "100000x100000", "640x480x3"):
             self.assert_wrong_usage(["render", "s.json", "-o", "x.png", "--size", size], "--size", size)
         self.assert_wrong_usage(["render", "s.json", "-o", "x.png", "--supersampling", "9"], "--supersampling")
+        self.assert_wrong_usage(["render", "s.json", "-o", "x.png", "--volume", ""], "--volume", "empty")
+        self.assert_wrong_usage(["info", ""], "path", "empty")
 
 
 class ServeTest(CommandLineTest):
@@ -126,6 +129,34 @@ class InfoTest(CommandLineTest):
         self.assert_one_plain_line(errors, "notes.txt")
 
 
+    def test_a_report_that_cannot_be_written_fails_in_one_line(self):
+        for arguments in (["info", SMALL], ["info", SMALL, "--json"]):
+            with open("/dev/full", "w") as full:
+                done = subprocess.run([BINARY, *arguments], stdout=full, stderr=subprocess.PIPE, text=True, timeout=300)
+            self.assertEqual(done.returncode, FAILED)
+            self.assert_one_plain_line(done.stderr, "cannot be written")
+
+    def test_a_link_that_is_named_is_followed(self):
+        (self.folder / "links").mkdir()
+        link = self.folder / "links" / "link.nrrd"
+        link.symlink_to(self.file("real.nrrd", NRRD))
+        status, output, errors = run("info", link)
+        self.assertEqual((status, errors), (OK, ""))
+        self.assertIn("2 x 2 x 2 voxels", output)
+
+    def test_a_hostile_name_moves_no_cursor(self):
+        self.file("bad\x1b[31m.nrrd", "NRRD0004\n\n")
+        status, output, errors = run("info", self.folder)
+        self.assertEqual((status, errors), (OK, ""))
+        self.assertIn("refused", output)
+        self.assertIn("\\x1b[31m", output)
+        self.assertNotIn("\x1b", output)
+        status, _, errors = run("info", self.folder / "bad\x1b[31m.nrrd")
+        self.assertEqual(status, FAILED)
+        self.assert_one_plain_line(errors, "\\x1b[31m")
+        self.assertNotIn("\x1b", errors)
+
+
 class RenderTest(CommandLineTest):
     def setUp(self):
         super().setUp()
@@ -141,6 +172,15 @@ class RenderTest(CommandLineTest):
         status, _, errors = run("render", scene, "-o", self.picture, "--volume", "phantom:knees@32")
         self.assertEqual((status, errors), (OK, ""))
         self.assertEqual(png_size(self.picture.read_bytes()), (50, 40))
+
+    def test_a_volume_whose_path_holds_a_hash_and_one_behind_a_link(self):
+        (self.folder / "a#b").mkdir()
+        volume = self.file("a#b/volume.nrrd", NRRD)
+        link = self.folder / "link.nrrd"
+        link.symlink_to(volume)
+        for named in (volume, f"{volume}#volume.nrrd", link):
+            status, _, errors = run("render", self.scene(), "-o", self.picture, "--volume", named, "--size", "20x20")
+            self.assertEqual((status, errors), (OK, ""), named)
 
     def test_a_style_is_a_scene_too(self):
         style = self.file("style.json", json.dumps({"name": "plain", "title": "Plain", "description": "", "scene": {}}))

@@ -35,13 +35,30 @@ TEST(JobQueue, TellsWhoWaitsInTheirOrder) {
   EXPECT_FALSE(queue.has(3));
 }
 
-TEST(JobQueue, AltersAndWithdrawsOnlyWhatWaits) {
+TEST(JobQueue, AltersAndGivesBackOnlyWhatWaits) {
   JobQueue<TestJob> queue;
   EXPECT_FALSE(queue.alter(1, [](TestJob&) { FAIL(); }));
   queue.put({1, 10});
   EXPECT_TRUE(queue.alter(1, [](TestJob& job) { job.number = 12; }));
-  EXPECT_EQ(queue.withdraw(1)->number, 12);
-  EXPECT_FALSE(queue.withdraw(1));
+  EXPECT_EQ(queue.take(1).job->number, 12);
+  EXPECT_FALSE(queue.take(1).job);
+  EXPECT_FALSE(queue.release(1));
+}
+
+TEST(JobQueue, AJobComesWithTheReleasesBeforeItAndNoneAfterIt) {
+  using Views = std::vector<std::uint64_t>;
+  JobQueue<TestJob> queue;
+  queue.release(1);
+  queue.put({1, 10});
+  const auto taken = queue.take(1);
+  EXPECT_EQ(taken.released, Views{1});
+  EXPECT_EQ(taken.job->number, 10);
+  EXPECT_EQ(queue.take_released(), Views{});
+
+  queue.put({1, 11});
+  EXPECT_EQ(queue.release(1)->number, 11);
+  EXPECT_FALSE(queue.has(1));
+  EXPECT_EQ(queue.take_released(), Views{1});
 }
 
 TEST(JobQueue, WaitingEndsWithAJobAWakeAStopOrItsTime) {

@@ -119,6 +119,16 @@ TEST_F(RenderThreads, ForgetsAReleasedViewAndDrawsItAnew) {
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(7)).get()));
 }
 
+// The thread is idle and wakes by the release; it finds the job beside it.
+TEST_F(RenderThreads, AReleaseDoesNotEndWhatIsAskedForAfterIt) {
+  const RenderRequest wanted = request(7);
+  for (int round = 0; round < 30; ++round) {
+    ASSERT_TRUE(std::holds_alternative<RenderedFrame>(submit(wanted).get())) << round;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    thread_.release(7);
+  }
+}
+
 TEST_F(RenderThreads, LetsGoOfAVolumeThatNobodyWants) {
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
   const std::weak_ptr<const LoadedVolume> first = volume_;
@@ -145,6 +155,25 @@ TEST_F(RenderThreads, KeepsTheVolumesThatWereUsedLastWithinTheLimit) {
   EXPECT_EQ(upload(second), 0);
   EXPECT_GT(upload(first), 1);
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
+}
+
+TEST_F(RenderThreads, WhatAViewShowsStaysBeforeWhatWasUsedSince) {
+  int slabs = 0;
+  const auto upload = [&](const std::shared_ptr<const LoadedVolume>& volume) {
+    slabs = 0;
+    thread_.upload(volume, [&](LoadStage, double) { ++slabs; }, {});
+    return slabs;
+  };
+  const auto first = many_slabs();
+  const auto second = many_slabs();
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
+  upload(first);
+  upload(second);
+  EXPECT_EQ(upload(volume_), 0) << "a view rests on it";
+  thread_.release(1);
+  upload(first);
+  upload(second);
+  EXPECT_EQ(upload(volume_), 1);
 }
 
 TEST_F(RenderThreads, AReceiverThatFailsLeavesTheOthersAlone) {

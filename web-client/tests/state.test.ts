@@ -9,7 +9,7 @@ import { SceneSync } from '../src/state/scene_sync.ts';
 import { ShownView } from '../src/state/shown_view.ts';
 import { Store } from '../src/state/store.ts';
 import { matchingStyle, stylePatch } from '../src/state/style_patch.ts';
-import { volumeFacts } from '../src/state/volume_text.ts';
+import { volumeFacts, volumeWarnings } from '../src/state/volume_text.ts';
 import { capabilities } from './capabilities.ts';
 
 describe('the store', () => {
@@ -256,6 +256,15 @@ describe('words and numbers for people', () => {
       }),
     ).toBe('CT · 512×512×275 · 0.781×0.781×1 mm');
     expect(volumeFacts({ modality: '' })).toBe('');
+  });
+
+  it('warn of a volume, once each, also of what was found when it was read', () => {
+    const entry = { id: 'a', warnings: ['no spacing', 'no place'] };
+    const open = { id: 'a', warnings: ['no place', 'values were rescaled'] };
+    expect(volumeWarnings(entry, open)).toEqual(['no spacing', 'no place', 'values were rescaled']);
+    expect(volumeWarnings(entry, { ...open, id: 'b' })).toEqual(entry.warnings);
+    expect(volumeWarnings({ id: 'a' }, open)).toEqual(open.warnings);
+    expect(volumeWarnings({ id: 'a' }, undefined)).toEqual([]);
   });
 
   it('turn colours into the browser’s form and back', () => {

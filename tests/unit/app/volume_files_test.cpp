@@ -60,6 +60,23 @@ TEST(VolumeFiles, NeverSaysWhereFilesLie) {
   EXPECT_THAT(heard.error().what(), ::testing::Not(::testing::HasSubstr(folder.path().string())));
 }
 
+TEST(VolumeFiles, OffersTheFileThatANamedLinkLeadsTo) {
+  const Folder folder("links");
+  folder.write("inner/real.nrrd", kVolume);
+  std::filesystem::create_directories(folder.path() / "elsewhere");
+  const auto link = folder.path() / "elsewhere/link.nrrd";
+  std::filesystem::create_symlink("../inner/real.nrrd", link);
+  VolumeService service{VolumeSettings{.data = {link}}, no_renderer()};
+  Heard scanned;
+  const auto scan = service.open("not there", scanned.progress(), scanned.done());
+  EXPECT_EQ(scanned.error_code(), "unknown-volume");
+  const Json listing = service.listing();
+  EXPECT_TRUE(listing["refused"].empty()) << listing;
+  Heard heard;
+  const auto ticket = service.open(listing["volumes"][0]["id"], heard.progress(), heard.done());
+  EXPECT_EQ(heard.volume()->summary()["size_voxels"], Json({2, 2, 2}));
+}
+
 /// A program that answers as a reader of volumes does after so long.
 std::filesystem::path slow_reader(const Folder& folder, const std::string& seconds) {
   folder.write("reader", "#!/bin/sh\nsleep " + seconds + "\n");

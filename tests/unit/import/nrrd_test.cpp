@@ -150,6 +150,22 @@ TEST(Nrrd, SaysWhatItTakesTheDirectionsFor) {
   }
 }
 
+TEST(Nrrd, SaysThatDirectionsOfLengthOneAloneAreNoSpacing) {
+  const auto warns = [](const std::string& space, const std::string& first) {
+    TemporaryFolder folder;
+    write_file(folder / "a.nrrd", "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\n" + space +
+                                      "\nspace directions: " + first +
+                                      " (0,0,1) (0,1,0)\nencoding: raw\n\n12345678");
+    const VolumeSource source = only_source(folder.path(), folder.path());
+    return has_warning(source.description, "no physical spacing") &&
+           has_warning(source.description, "1 mm");
+  };
+  EXPECT_TRUE(warns("space dimension: 3", "(-1,0,0)"));
+  EXPECT_FALSE(warns("space dimension: 3", "(0.7,0,0)"));
+  EXPECT_FALSE(warns("space dimension: 3\nspace units: \"mm\" \"mm\" \"mm\"", "(-1,0,0)"));
+  EXPECT_FALSE(warns("space: LPS", "(-1,0,0)"));
+}
+
 TEST(Nrrd, SaysThatASpaceWithoutDirectionsGivesTheAxes) {
   TemporaryFolder folder;
   write_file(folder / "a.nrrd",

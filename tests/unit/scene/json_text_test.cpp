@@ -42,6 +42,16 @@ TEST(JsonText, NamesTheFieldOfANumberThatIsTooLarge) {
   EXPECT_EQ(refusal("-1e999").received, "'-1e999'");
 }
 
+TEST(JsonText, CanBeReadDespiteNumbersThatAreTooLarge) {
+  const auto held = [](const char* text) { return parse_json(with_numbers_held(text)); };
+  EXPECT_EQ(held(R"({"a": [1e999, -1e999, 2.5], "b": 1E+400})"),
+            Json({{"a", {0, 0, 2.5}}, {"b", 0}}));
+  EXPECT_EQ(held(R"({"1e999": "\"1e999"})"), Json({{"1e999", "\"1e999"}}));
+  EXPECT_EQ(held((std::string(400, '9')).c_str()), Json(0));
+  for (const char* cut_short : {"", "\"", "\"\\", "1e999", "[1e99"})
+    EXPECT_NO_THROW(with_numbers_held(cut_short)) << cut_short;
+}
+
 TEST(JsonText, RefusesDeepNestingWithoutRecursion) {
   for (const char* opening : {"[", R"({"a":)", R"([{"a":)"}) {
     std::string text;

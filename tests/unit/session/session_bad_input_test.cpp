@@ -106,6 +106,19 @@ TEST_F(SessionBadInputTest, NonFiniteNumber) {
   expect_unharmed();
 }
 
+TEST_F(SessionBadInputTest, ANonFiniteNumberIsNamedFromItsSceneAndTheMessageEchoed) {
+  session->receive_text(
+      R"({"type":"scene","scene":{"lens":{"radius_mm":1e999}},"clock_ms":0,"input":7})");
+  expect_error("not-finite", "/lens/radius_mm");
+  EXPECT_EQ(error()["input"], 7);
+  session->receive_text(R"({"type":"pick","position_px":[5,1e999],"request":9})");
+  expect_error("not-finite", "/position_px/1");
+  EXPECT_EQ(error()["request"], 9);
+  session->receive_text(R"({"type":"pick","request":9,"scene":{"lens":1e999}})");
+  expect_error("not-finite", "/scene/lens");
+  expect_unharmed();
+}
+
 TEST_F(SessionBadInputTest, UnknownVolume) {
   scene({{"volume", "nowhere"}});
   library.fail(Error({.code = "unknown-volume", .message = "no such volume", .field = "/volume"}));
@@ -164,6 +177,15 @@ TEST_F(SessionBadInputTest, ASideOutOfRangeIsAnsweredWithTheSessionsOwnLimit) {
     expect_error("out-of-range", "/height_px");
     EXPECT_EQ(error()["expected"], "1 to 1000 px");
     EXPECT_EQ(error()["received"], std::to_string(side));
+  }
+  for (const Json& side : {Json(1.5), Json("5"), Json()}) {
+    receive({{"type", "viewport"},
+             {"input", 1},
+             {"clock_ms", 1},
+             {"width_px", side},
+             {"height_px", 5}});
+    expect_error("wrong-type", "/width_px");
+    EXPECT_EQ(error()["expected"], "an integer from 1 to 1000 px");
   }
   receive({{"type", "preview"},
            {"request", 1},

@@ -177,19 +177,50 @@ TEST_F(SessionTest, SaveStillComesAsALosslessPictureOfItsOwnSize) {
   EXPECT_TRUE(frames.released.contains(2));
 }
 
-TEST_F(SessionTest, OneStillAtATime) {
+Json save(std::uint32_t request) {
+  return {{"type", "save_still"}, {"request", request}, {"width_px", 64}, {"height_px", 64}};
+}
+
+// A client has all bytes of a still before the server hears that they are written.
+TEST_F(SessionTest, AClientThatHasItsStillMayAskForTheNext) {
   show_ball();
-  const Json save = {{"type", "save_still"}, {"request", 1}, {"width_px", 64}, {"height_px", 64}};
-  receive(save);
-  receive(save);
+  for (std::uint32_t request = 1; request < 5; ++request) {
+    receive(save(request));
+    if (request > 1) client.stills.back().done(true);
+    strand->run();
+    frames.finish();
+    strand->run();
+    ASSERT_EQ(client.stills.size(), request);
+    EXPECT_EQ(client.stills.back().header.frame, request);
+  }
+  EXPECT_TRUE(client.of_type("error").empty());
+}
+
+TEST_F(SessionTest, OneStillIsMadeAndOneWaits) {
+  show_ball();
+  for (std::uint32_t request = 1; request < 4; ++request) receive(save(request));
   expect_error("rate-limited");
-  EXPECT_EQ(client.last("error")["request"], 1);
+  EXPECT_EQ(client.last("error")["request"], 3);
   frames.finish();
   strand->run();
+  EXPECT_TRUE(frames.idle()) << "the second was made while the first was being sent";
   client.stills[0].done(true);
   strand->run();
-  receive(save);
+  frames.finish();
+  strand->run();
+  ASSERT_EQ(client.stills.size(), 2);
+  EXPECT_EQ(client.stills[1].header.frame, 2);
   EXPECT_EQ(client.of_type("error").size(), 1);
+}
+
+TEST_F(SessionTest, AStillThatFailsMakesWayForTheOneThatWaits) {
+  show_ball();
+  receive(save(1));
+  receive(save(2));
+  frames.fail(Error({.code = "render-failed", .message = "no"}));
+  strand->run();
+  EXPECT_EQ(client.last("error")["request"], 1);
+  EXPECT_EQ(frames.finish().encoding, PictureEncoding::png);
 }
 
 TEST_F(SessionTest, LiveFramesGoOnWhileAStillIsMade) {

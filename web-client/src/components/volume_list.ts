@@ -2,7 +2,7 @@
 import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import type { RefusedEntry, VolumeEntry } from '../protocol/messages.ts';
-import { volumeFacts } from '../state/volume_text.ts';
+import { volumeFacts, volumeWarnings } from '../state/volume_text.ts';
 import { shared } from '../styles/shared.ts';
 import { overallFraction } from './loading_card.ts';
 import { SessionElement } from './session_element.ts';
@@ -116,7 +116,7 @@ export class VolumeList extends SessionElement {
     >
       <span class="title">${entry.title}</span>
       <span class="quiet small">${volumeFacts(entry) || entry.format}</span>
-      ${(entry.warnings ?? []).map(
+      ${volumeWarnings(entry, volume).map(
         (text) =>
           html`<span class="warning"><wa-icon name="warning"></wa-icon><span>${text}</span></span>`,
       )}

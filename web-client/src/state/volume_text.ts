@@ -1,5 +1,5 @@
 // What is known of a volume, in words.
-import type { VolumeEntry } from '../protocol/messages.ts';
+import type { VolumeEntry, VolumeSummary } from '../protocol/messages.ts';
 
 type Facts = Pick<VolumeEntry, 'modality' | 'size_voxels' | 'spacing_mm'>;
 
@@ -13,4 +13,14 @@ export function volumeFacts({ modality, size_voxels, spacing_mm }: Facts): strin
     spacing_mm && `${spacing_mm.map(shortNumber).join('×')} mm`,
   ];
   return parts.filter(Boolean).join(' · ');
+}
+
+type Warned = Pick<VolumeEntry, 'id' | 'warnings'>;
+
+/** Each warning of the listing, and of what reading the volume found where it is the open one, once. */
+export function volumeWarnings(
+  { id, warnings = [] }: Warned,
+  open: Pick<VolumeSummary, 'id' | 'warnings'> | undefined,
+): string[] {
+  return [...new Set([...warnings, ...(open?.id === id ? open.warnings : [])])];
 }
