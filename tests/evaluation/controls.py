@@ -78,7 +78,7 @@ def _average(name, readings):
 
 
 def requirements(readings, data_sets):
-    """[Requirement]. readings: one {condition: Reading} a unit; data_sets: the name of each unit's."""
+    """[Requirement]. readings: {condition: Reading} of each unit; data_sets: the units'."""
     pairs = list(zip(readings, data_sets, strict=True))
     movable = [(r, d) for r, d in pairs if r["A"].nss_elsewhere is not None]
     return [

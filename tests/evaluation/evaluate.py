@@ -26,6 +26,8 @@ def main():
         sheets = gallery.make(studio, volumes, arguments.outdir, progress)
         study = saliency_study.make(studio, volumes, MOST_STUDIED, arguments.outdir, progress)
         renderer = studio.renderer
+    report.write_figures(arguments.outdir, study)
+    progress(f"saliency: {study.verdict.outcome}")
     table = performance.make(arguments.build / "cutaway-benchmark", arguments.outdir, progress)
     minutes = (time.monotonic() - begun) / 60
     written = report.write(arguments.outdir, renderer, sheets, study, table, minutes)

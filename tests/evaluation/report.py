@@ -16,8 +16,7 @@ small { color: #666 }
 
 
 def write(outdir, renderer, sheets, study, table, minutes):
-    """Writes report.html and saliency.json; returns the page's path."""
-    (outdir / "saliency.json").write_text(json.dumps(_plain(study), indent=1))
+    """Writes report.html; returns its path."""
     body = "\n".join(
         [
             "<h1>Evaluation of focus + context illustration</h1>",
@@ -33,6 +32,11 @@ def write(outdir, renderer, sheets, study, table, minutes):
         f"<body>{body}</body></html>"
     )
     return page
+
+
+def write_figures(outdir, study):
+    """Writes saliency.json: early, so that it is there whatever becomes of the rest."""
+    (outdir / "saliency.json").write_text(json.dumps(_plain(study), indent=1))
 
 
 def _plain(study):

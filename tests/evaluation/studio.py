@@ -16,6 +16,8 @@ idle_timeout_ms = 600000
 [session]
 still_supersampling = 2
 rest_ms = 60000
+messages_per_second = 1e6
+message_burst = 1e6
 [log]
 level = "warning"
 """
@@ -40,7 +42,7 @@ class Studio:
         self._listing = self._client.text("volumes")
         self._requests = 0
         self._volume = None
-        self._revision = 0  # of the scene that was told or drawn last
+        self._resets = 0
 
     def __enter__(self):
         return self
@@ -71,21 +73,25 @@ class Studio:
         self._volume = volume
         self._client.viewport(SMALL_PX, SMALL_PX)
         self._client.scene({"volume": volume, **self.styles["flagship"]}, replace=True)
-        return self._told_scene(lambda message: message["scene"]["volume"] == volume)
+        return self._told_scene(lambda told: told["volume"] == volume)
 
     def reset(self, scene):
         """The open volume with another scene; what the scene leaves out is chosen anew. Returns it
-        resolved."""
-        self._client.scene({**scene, "volume": self._volume}, replace=True)
-        return self._told_scene(lambda message: message["revision"] > self._revision)
+        resolved, its background aside: that is a mark."""
+        self._resets += 1
+        # The server tells scenes of its own accord too, some time after a change. By its mark the
+        # answer is known; a 1024th is exact in any float.
+        mark = [self._resets % 1024 / 1024, 0, 0]
+        marked = {**scene, "volume": self._volume, "background": {"colour": mark}}
+        self._client.scene(marked, replace=True)
+        return self._told_scene(lambda told: told["background"]["colour"] == mark)
 
     def drag_lens(self, x, y):
         """Puts the lens on the surface under a point of the view, (0, 0) its upper left and (1, 1)
-        its lower right corner; returns the centre in mm (LPS)."""
+        its lower right corner; returns the centre in mm (LPS). Right after reset, whose answer has
+        come: the next scene told is this one's."""
         self._client.send_input("drag_lens", position_px=[x * SMALL_PX, y * SMALL_PX])
-        # A lens that lands where it was makes no new revision.
-        told = self._told_scene(lambda message: message["revision"] >= self._revision)
-        return told["lens"]["centre_mm"]
+        return self._told_scene(lambda told: True)["lens"]["centre_mm"]
 
     def change(self, scene):
         """Merges a partial scene into the one that is shown."""
@@ -101,18 +107,14 @@ class Studio:
             lambda m: isinstance(m, Picture) and m.type == 2 and m.number == self._requests,
             "a still",
         )
-        self._revision = still.revision
         stored = cv2.imdecode(numpy.frombuffer(still.data, numpy.uint8), cv2.IMREAD_COLOR)
         return stored[..., ::-1].astype(numpy.float32) / 255
 
     def _told_scene(self, fits):
-        """The next resolved scene that fits. The server tells scenes of its own accord too, some
-        time after a change: one from before the request must not pass for the answer."""
-        told = self._await(
-            lambda m: isinstance(m, dict) and m["type"] == "scene" and fits(m), "a scene"
-        )
-        self._revision = told["revision"]
-        return told["scene"]
+        """The next resolved scene that fits."""
+        return self._await(
+            lambda m: isinstance(m, dict) and m["type"] == "scene" and fits(m["scene"]), "a scene"
+        )["scene"]
 
     def _await(self, fits, what):
         """The next message that fits. Whatever the server refuses ends the evaluation at once."""

@@ -72,7 +72,7 @@ def _spread(plane, sigma, gain):
 
 @functools.cache
 def _weight_inside(shape, sigma):
-    """The share of the kernel that lies on the map; there are a few shapes, and many maps of each."""
+    """The share of the kernel that lies on the map; many maps have one of a few shapes."""
     return _blur(numpy.ones(shape, numpy.float32), sigma)
 
 

@@ -44,4 +44,4 @@ class Criteria(unittest.TestCase):
     def test_a_filter_that_grows_with_the_volume_is_told(self):
         holds, told = held(small={"kuwahara": 9.0, "sobel": 2.0})
         self.assertEqual(holds[3:], [True, False])
-        self.assertIn("+150%: phantom:head 2.00 and 5.00 ms", told)
+        self.assertIn("+150%: 2.00 and 5.00 ms over 1 volumes", told)

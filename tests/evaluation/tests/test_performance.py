@@ -18,8 +18,8 @@ print("measuring", size)
 json.dump({
     "machine": {"renderer": "r", "processor": "p", "cores": 2},
     "frames": [
-        {"volume": f"phantom:{v}" + ("" if size == 256 else f"@{size}"), "case": c, "frames": frames,
-         "median_ms": 50.0 + n, "p95_ms": 60.0, "device_ms": 49.0,
+        {"volume": f"phantom:{v}" + ("" if size == 256 else f"@{size}"), "case": c,
+         "frames": frames, "median_ms": 50.0 + n, "p95_ms": 60.0, "device_ms": 49.0,
          "stages_ms": {"ray cast": 30.0, "kuwahara": 8.0, "sobel": 4.0}}
         for v in ("head", "abdomen", "knees") for n, c in enumerate(cases)
         if c in options.get("--cases", c)
