@@ -15,7 +15,7 @@
 
 namespace cutaway::testing {
 
-inline constexpr std::chrono::seconds kGenerous{60};
+inline constexpr std::chrono::seconds kGenerous{300};
 inline constexpr int kLargestEdge = 512;
 
 /// Has no device to put anything on, and so is done at once.
