@@ -15,6 +15,13 @@ namespace {
 
 class RenderThreads : public testing::Test {
  protected:
+  /// How many slabs went to the device.
+  int upload(const std::shared_ptr<const LoadedVolume>& volume) {
+    int slabs = 0;
+    thread_.upload(volume, [&](LoadStage, double) { ++slabs; }, {});
+    return slabs;
+  }
+
   static constexpr std::uint64_t kVolumeBytes = std::uint64_t{96} << 20;
 
   RenderThreads()
@@ -139,12 +146,6 @@ TEST_F(RenderThreads, LetsGoOfAVolumeThatNobodyWants) {
 
 // Two of the large ones are more than the limit, so that the first has to be put there again.
 TEST_F(RenderThreads, KeepsTheVolumesThatWereUsedLastWithinTheLimit) {
-  int slabs = 0;
-  const auto upload = [&](const std::shared_ptr<const LoadedVolume>& volume) {
-    slabs = 0;
-    thread_.upload(volume, [&](LoadStage, double) { ++slabs; }, {});
-    return slabs;
-  };
   const auto first = many_slabs();
   const auto second = many_slabs();
   EXPECT_GT(upload(first), 1);
@@ -158,12 +159,6 @@ TEST_F(RenderThreads, KeepsTheVolumesThatWereUsedLastWithinTheLimit) {
 }
 
 TEST_F(RenderThreads, WhatAViewShowsStaysBeforeWhatWasUsedSince) {
-  int slabs = 0;
-  const auto upload = [&](const std::shared_ptr<const LoadedVolume>& volume) {
-    slabs = 0;
-    thread_.upload(volume, [&](LoadStage, double) { ++slabs; }, {});
-    return slabs;
-  };
   const auto first = many_slabs();
   const auto second = many_slabs();
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
