@@ -7,6 +7,10 @@ import { observeHeldPointer } from './interaction/held_pointer.ts';
 import { keepSceneInAddress } from './session/address_bar.ts';
 import { openViewerSession } from './session/viewer_session.ts';
 import { webSocketUrl } from './stream/stream.ts';
+import { keepLook } from './preferences/look.ts';
+import { keepPreferences, PreferenceStore, sayLeftOut } from './preferences/preference_store.ts';
+import { DEFAULT_PREFERENCES } from './preferences/preferences.ts';
+import { keepSpeaking } from './preferences/speech.ts';
 
 /** An address that is revoked before the browser has read it saves nothing. */
 const SAVING_TAKES_MS = 60_000;
@@ -21,9 +25,14 @@ function saveFile(name: string, content: Blob): void {
 
 const canvas = document.createElement('canvas');
 const session = openViewerSession(canvas, webSocketUrl(location), saveFile);
-if (isPhone()) session.store.update({ panel_open: false });
+const storage = new PreferenceStore(() => localStorage);
+const fault = keepPreferences(session, storage, { ...DEFAULT_PREFERENCES, panel_open: !isPhone() });
+keepLook(session, document, matchMedia('(prefers-color-scheme: light)'));
 keepSceneInAddress(session);
 observeHeldPointer((pointer_held) => session.store.update({ pointer_held }));
+
+await keepSpeaking(session, document.documentElement, navigator.languages);
+sayLeftOut(session, fault);
 
 const app = new CutawayApp();
 app.session = session;

@@ -155,13 +155,13 @@ describe('orientation', () => {
   });
 
   it.each([
-    ['Posterior', { top: 'S', right: 'R', bottom: 'I', left: 'L' }],
-    ['Right', { top: 'S', right: 'A', bottom: 'I', left: 'P' }],
-    ['Left', { top: 'S', right: 'P', bottom: 'I', left: 'A' }],
-    ['Superior', { top: 'A', right: 'R', bottom: 'P', left: 'L' }],
-    ['Inferior', { top: 'A', right: 'L', bottom: 'P', left: 'R' }],
-  ])('from %s', (name, letters) => {
-    const view = STANDARD_VIEWS.find((candidate) => candidate.name === name);
+    ['P', { top: 'S', right: 'R', bottom: 'I', left: 'L' }],
+    ['R', { top: 'S', right: 'A', bottom: 'I', left: 'P' }],
+    ['L', { top: 'S', right: 'P', bottom: 'I', left: 'A' }],
+    ['S', { top: 'A', right: 'R', bottom: 'P', left: 'L' }],
+    ['I', { top: 'A', right: 'L', bottom: 'P', left: 'R' }],
+  ])('from %s', (letter, letters) => {
+    const view = STANDARD_VIEWS.find((candidate) => candidate.letter === letter);
     expect(view && edgeLetters(lookFrom(front, view.towards_eye, view.up))).toEqual(letters);
   });
 

@@ -147,7 +147,10 @@ describe('pictures of the styles', () => {
   it('are asked for anew after a lost connection, once it shows a picture', () => {
     want('a');
     rest();
-    harness.emit({ kind: 'link', state: { phase: 'waiting', retry_in_ms: 1, reason: '' } });
+    harness.emit({
+      kind: 'link',
+      state: { phase: 'waiting', retry_in_ms: 1, reason: 'lost', said: '' },
+    });
     harness.emit({ kind: 'link', state: { phase: 'connected' } });
     harness.say(capabilities);
     harness.say(volumes);

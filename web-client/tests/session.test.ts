@@ -208,7 +208,7 @@ describe('a lost connection', () => {
     const scene = harness.state.scene;
     harness.emit({
       kind: 'link',
-      state: { phase: 'waiting', retry_in_ms: 100, reason: 'the connection was lost' },
+      state: { phase: 'waiting', retry_in_ms: 100, reason: 'lost', said: '' },
     });
     expect(harness.state.scene).toEqual(scene);
     harness.sent.length = 0;

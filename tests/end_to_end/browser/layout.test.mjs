@@ -1,7 +1,8 @@
 // Nothing overlaps, and nothing keeps anyone out: every state of the page at both sizes.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { axeSource, DESKTOP, PHONE, skip } from './support/browser.mjs';
+import { assertAccessible } from './support/accessible.mjs';
+import { DESKTOP, PHONE, skip } from './support/browser.mjs';
 import { served } from './support/suite.mjs';
 import { Viewer } from './support/viewer.mjs';
 
@@ -59,17 +60,6 @@ async function assertLayout({ page }) {
       assert.ok(!overlap(box, other), `${box.part} overlaps ${other.part}`);
   }
   assert.ok(boxes.length >= 15, `only ${boxes.length} parts were found`);
-}
-
-async function assertAccessible({ page }, state) {
-  await page.evaluate(axeSource);
-  const { violations } = await page.evaluate(() =>
-    globalThis.axe.run(document, { resultTypes: ['violations'] }),
-  );
-  const found = violations.map(
-    ({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join('; ')}`,
-  );
-  assert.deepEqual(found, [], state);
 }
 
 /** The longest form of a tab. */

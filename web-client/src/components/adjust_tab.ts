@@ -15,11 +15,7 @@ import './histogram.ts';
 import './lens_section.ts';
 import './section.ts';
 import { SessionElement } from './session_element.ts';
-
-const BRANCHES: Readonly<Record<BranchName, { heading: string; hint: string }>> = {
-  focus: { heading: 'Focus', hint: 'inside the lens' },
-  context: { heading: 'Context', hint: 'around it' },
-};
+import { words } from '../words/words.ts';
 
 interface Known {
   readonly capabilities: CapabilitiesMessage;
@@ -57,7 +53,7 @@ export class AdjustTab extends SessionElement {
   override render() {
     const { capabilities, scene, volume } = this.state;
     if (!capabilities || !scene || !volume)
-      return html`<p class="quiet">Opens with the first picture.</p>`;
+      return html`<p class="quiet">${words().panel.adjust.later}</p>`;
     const known = { capabilities, scene, volume };
     return html`<cutaway-lens-section .session=${this.session}></cutaway-lens-section>
       ${this.branch('focus', known)} ${this.branch('context', known)} ${this.light(known)}`;
@@ -73,9 +69,10 @@ export class AdjustTab extends SessionElement {
 
   private branch(branch: BranchName, known: Known) {
     const { capabilities, scene, volume } = known;
-    const { heading, hint } = BRANCHES[branch];
+    const texts = words().panel.adjust;
+    const [heading, hint] = [texts[branch], texts[`${branch}_hint`]];
     const shading = moduleModel(
-      'Shading',
+      words().controls.shading,
       [branch, 'shading'],
       capabilities.modules.shading,
       scene,
@@ -88,7 +85,7 @@ export class AdjustTab extends SessionElement {
         .group=${heading}
         .change=${this.change}
       ></cutaway-module-fields>
-      <h3>Filters, in the order they run</h3>
+      <h3>${texts.filters}</h3>
       <cutaway-filter-list
         .model=${filterListModel(branch, capabilities.modules.filter, scene)}
         .group=${heading}
@@ -111,9 +108,11 @@ export class AdjustTab extends SessionElement {
   }
 
   private light({ scene }: Known) {
-    return html`<cutaway-section heading="Light and background">
-      ${this.field(sceneChoiceControl('light.frame', 'Light turns with', scene), 'Light')}
-      ${lightControls(scene).map((control) => this.field(control, 'Light'))}
+    const { light, light_and_background } = words().panel.adjust;
+    const frame = sceneChoiceControl('light.frame', words().controls.light_turns_with, scene);
+    return html`<cutaway-section heading=${light_and_background}>
+      ${this.field(frame, light)}
+      ${lightControls(scene).map((control) => this.field(control, light))}
       ${this.field(backgroundControl(scene), '')}
     </cutaway-section>`;
   }

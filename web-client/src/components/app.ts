@@ -4,13 +4,14 @@ import { css, html, type PropertyValues } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import '@awesome.me/webawesome/dist/components/icon/icon.js';
 import { shared } from '../styles/shared.ts';
-import { queueText } from '../state/link_text.ts';
+import { linkReason } from '../state/link_reason.ts';
 import './help_dialog.ts';
 import './panel.ts';
 import { SessionElement } from './session_element.ts';
 import './toast_stack.ts';
 import './top_bar.ts';
 import './viewport.ts';
+import { words } from '../words/words.ts';
 
 @customElement('cutaway-app')
 export class CutawayApp extends SessionElement {
@@ -20,7 +21,7 @@ export class CutawayApp extends SessionElement {
     'shown',
     'loading',
     'volume',
-    'panel_open',
+    'preferences',
     'address_current',
     'lens_follows',
   ] as const;
@@ -86,7 +87,7 @@ export class CutawayApp extends SessionElement {
 
   override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    const { link, shown, loading, volume, panel_open, sent_input, address_current } = this.state;
+    const { link, shown, loading, volume, preferences, sent_input, address_current } = this.state;
     this.mark('connection', link.phase);
     this.mark('frame', shown?.frame);
     this.mark('input', shown?.input);
@@ -96,7 +97,7 @@ export class CutawayApp extends SessionElement {
     this.mark('loading', loading?.stage);
     this.mark('volume', volume?.id);
     this.mark('address', address_current ? 'current' : 'pending');
-    this.mark('panel', panel_open ? 'open' : 'closed');
+    this.mark('panel', preferences.panel_open ? 'open' : 'closed');
   }
 
   override render() {
@@ -105,7 +106,7 @@ export class CutawayApp extends SessionElement {
       <main>
         <cutaway-viewport .session=${this.session} .canvas=${this.canvas}></cutaway-viewport>
       </main>
-      <aside aria-label="Volumes and settings">
+      <aside aria-label=${words().page.volumes_and_settings}>
         <cutaway-panel .session=${this.session}></cutaway-panel>
       </aside>
       <cutaway-toast-stack .session=${this.session}></cutaway-toast-stack>
@@ -116,12 +117,13 @@ export class CutawayApp extends SessionElement {
 
   private announcement(): string {
     const { link, loading, volume, lens_follows, awaits_volume } = this.state;
-    if (link.phase === 'waiting') return `Disconnected: ${link.reason}. Trying again.`;
-    if (link.phase === 'queued') return queueText(link.place);
-    if (loading) return `Opening: ${loading.stage.replace('_', ' ')}`;
-    if (awaits_volume) return 'Looking for volumes';
-    if (lens_follows) return 'The lens follows the pointer. Escape ends it.';
-    return volume ? `Showing ${volume.title}` : '';
+    const texts = words().page;
+    if (link.phase === 'waiting') return texts.disconnected(linkReason(link));
+    if (link.phase === 'queued') return texts.queue(link.place);
+    if (loading) return texts.opening(texts.stages[loading.stage]);
+    if (awaits_volume) return texts.looking_for_volumes;
+    if (lens_follows) return texts.lens_follows;
+    return volume ? texts.showing(volume.title) : '';
   }
 
   private mark(name: string, value: string | number | undefined): void {

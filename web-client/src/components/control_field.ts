@@ -18,11 +18,14 @@ import type { Json, JsonObject } from '../state/merge_patch.ts';
 import { control_styles } from '../styles/controls.ts';
 import { shared } from '../styles/shared.ts';
 import { control_field_styles } from './control_field_styles.ts';
+import { words } from '../words/words.ts';
 
 /** Digits after the point that a step asks for. */
 function digitsOf(step: number): number {
   return Math.max(0, Math.min(6, Math.ceil(-Math.log10(step) - 1e-9)));
 }
+
+const unitText = (unit: string): string => words().served.units[unit] ?? unit;
 
 /** A slider's value is a number, a field's its text. */
 const inputValue = (event: Event): number | string =>
@@ -71,7 +74,7 @@ export class ControlField extends LitElement {
   }
 
   private valueText(value: number, { step, unit }: NumberControl): string {
-    return `${value.toFixed(digitsOf(step))} ${unit}`.trim();
+    return `${words().number(value, digitsOf(step))} ${unitText(unit)}`.trim();
   }
 
   private numberField(control: NumberControl) {
@@ -83,13 +86,13 @@ export class ControlField extends LitElement {
           <input
             class="number"
             type="number"
-            aria-label="${this.fullName}, number"
+            aria-label=${words().controls.as_number(this.fullName)}
             min=${control.minimum}
             max=${control.maximum}
             step="any"
             .value=${live(shown)}
             @change=${(event: Event) => this.setNumber(inputValue(event), control)}
-          /><span class="unit">${control.unit}</span>
+          /><span class="unit">${unitText(control.unit)}</span>
         </span>
       </div>
       <wa-slider

@@ -5,6 +5,7 @@ import type { FilterListModel, FilterModel } from '../state/filter_model.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
 import { shared } from '../styles/shared.ts';
 import './module_fields.ts';
+import { words } from '../words/words.ts';
 
 @customElement('cutaway-filter-list')
 export class FilterList extends LitElement {
@@ -68,7 +69,7 @@ export class FilterList extends LitElement {
     return html`<button
       class="text-button"
       title=${description}
-      aria-label="${this.group}: add ${title}"
+      aria-label="${this.group}: ${words().panel.adjust.add(title)}"
       @click=${() => this.change(patch)}
     >
       <wa-icon name="add"></wa-icon>${title}
@@ -76,12 +77,13 @@ export class FilterList extends LitElement {
   }
 
   private filter(filter: FilterModel) {
+    const { earlier, later_in_order, remove } = words().panel.adjust;
     return html`<div class="filter">
       <div class="head" title=${filter.description}>
         <strong>${filter.title}</strong>
-        ${this.action('up', `${filter.title}: earlier`, filter.earlier)}
-        ${this.action('down', `${filter.title}: later`, filter.later)}
-        ${this.action('remove', `${filter.title}: remove`, filter.removed)}
+        ${this.action('up', earlier(filter.title), filter.earlier)}
+        ${this.action('down', later_in_order(filter.title), filter.later)}
+        ${this.action('remove', remove(filter.title), filter.removed)}
       </div>
       <cutaway-module-fields
         .controls=${filter.controls}

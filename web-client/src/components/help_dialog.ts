@@ -4,14 +4,13 @@ import { customElement, query } from 'lit/decorators.js';
 import { KEY_BINDINGS } from '../interaction/keyboard.ts';
 import { shared } from '../styles/shared.ts';
 import { SessionElement } from './session_element.ts';
+import { words } from '../words/words.ts';
 
-const GESTURES: readonly (readonly [string, string])[] = [
-  ['Drag, or one finger', 'Rotate'],
-  ['Shift or middle drag, or two fingers', 'Pan'],
-  ['Wheel or right drag, or pinch', 'Zoom'],
-  ['Drag the grip in the lens', 'Move the lens over the surface'],
-  ['Alt or Shift + wheel, or drag the rim', 'Resize the lens'],
-];
+/** 'Shift + ←' as the keyboards of the page's language have it. */
+function keyCaps(keys: string): string {
+  const caps: Readonly<Record<string, string>> = words().keys.caps;
+  return keys.replaceAll(/\p{L}+/gu, (name) => caps[name] ?? name);
+}
 
 @customElement('cutaway-help-dialog')
 export class HelpDialog extends SessionElement {
@@ -83,17 +82,18 @@ export class HelpDialog extends SessionElement {
     const row = (what: string, meaning: string) =>
       html`<dt>${what}</dt>
         <dd>${meaning}</dd>`;
-    const notice = this.state.capabilities?.notice ?? 'Not for diagnostic use';
+    const { keys, page } = words();
+    const notice = this.state.capabilities?.notice ?? page.not_for_diagnosis;
     return html`<dialog
       aria-labelledby="heading"
       @close=${() => this.session.commands.toggleHelp(false)}
       @click=${this.onClick}
     >
       <div class="head">
-        <h2 id="heading">Help</h2>
+        <h2 id="heading">${keys.help}</h2>
         <button
           class="icon-button"
-          aria-label="Close"
+          aria-label=${keys.close}
           autofocus
           @click=${() => this.session.commands.toggleHelp(false)}
         >
@@ -101,13 +101,14 @@ export class HelpDialog extends SessionElement {
         </button>
       </div>
       <div class="body">
-        <h3>Mouse, touchpad, touch</h3>
-        <dl>${GESTURES.map(([what, meaning]) => row(what, meaning))}</dl>
-        <h3>Keys, while the picture has the focus</h3>
-        <dl>${KEY_BINDINGS.map(({ keys, meaning }) => row(keys, meaning))}</dl>
+        <h3>${keys.gestures_heading}</h3>
+        <dl>${Object.values(keys.gestures).map(([what, meaning]) => row(what, meaning))}</dl>
+        <h3>${keys.keys_heading}</h3>
+        <dl>
+          ${KEY_BINDINGS.map((binding) => row(keyCaps(binding.keys), keys.meanings[binding.meaning]))}
+        </dl>
         <p class="quiet small about">
-          ${notice.replace(/\.?$/, '.')} The letters at the picture's edges are the patient's
-          directions: R and L, A and P, S and I. ${this.state.capabilities?.server ?? ''}
+          ${keys.about(notice.replace(/\.?$/, '.'))} ${this.state.capabilities?.server ?? ''}
         </p>
       </div>
     </dialog>`;

@@ -11,6 +11,7 @@ import { sphereOutlinePx } from '../view/sphere_outline.ts';
 import type { Vector3 } from '../view/vector.ts';
 import { shared } from '../styles/shared.ts';
 import { SessionElement } from './session_element.ts';
+import { words } from '../words/words.ts';
 
 const NUDGE_CSS_PX = 12;
 const SIZE_STEP = 1.08;
@@ -100,8 +101,8 @@ export class LensOverlay extends SessionElement {
       button:focus-visible .grip,
       .dragging .grip {
         opacity: 1;
-        background: var(--accent);
-        color: var(--on-accent);
+        background: var(--on-picture-accent);
+        color: var(--on-picture-on-accent);
       }
       .move {
         cursor: grab;
@@ -157,8 +158,8 @@ export class LensOverlay extends SessionElement {
     return html`<button
       class="move ${this.drag_px ? 'dragging' : ''}"
       style=${styleMap(this.place(this.drag_px ?? lens.centre_px, lens.viewport))}
-      aria-label="Lens"
-      aria-description="Arrow keys move the lens over the surface, plus and minus resize it."
+      aria-label=${words().page.lens}
+      aria-description=${words().page.lens_keys}
       data-part="lens-grip"
       @pointerdown=${this.grab}
       @pointermove=${(event: PointerEvent) => this.dragTo(event)}
@@ -183,7 +184,7 @@ export class LensOverlay extends SessionElement {
       class="size"
       tabindex="-1"
       aria-hidden="true"
-      title="Lens size"
+      title=${words().page.lens_size}
       data-part="lens-size-grip"
       style=${styleMap(this.place(position_px, lens.viewport))}
       @pointerdown=${this.grab}

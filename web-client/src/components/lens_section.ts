@@ -12,8 +12,7 @@ import './coordinate_fields.ts';
 import './module_fields.ts';
 import './section.ts';
 import { SessionElement } from './session_element.ts';
-
-const GROUP = 'Lens';
+import { words } from '../words/words.ts';
 
 @customElement('cutaway-lens-section')
 export class LensSection extends SessionElement {
@@ -26,28 +25,28 @@ export class LensSection extends SessionElement {
   override render() {
     const { capabilities, scene, volume } = this.state;
     if (!capabilities || !scene || !volume) return nothing;
-    return html`<cutaway-section heading="Lens" open>
-      ${this.field(sceneChoiceControl('lens.mode', 'Mode', scene))}
+    return html`<cutaway-section heading=${words().panel.adjust.lens} open>
+      ${this.field(sceneChoiceControl('lens.mode', words().controls.mode, scene))}
       ${scene.lens?.mode === 'none' ? nothing : this.details(capabilities, scene, volume)}
     </cutaway-section>`;
   }
 
   private details({ modules }: CapabilitiesMessage, scene: Scene, volume: VolumeSummary) {
     const shapes = modules.lens_shape;
-    const shape = moduleModel('Shape', ['lens', 'shape'], shapes, scene);
+    const shape = moduleModel(words().controls.shape, ['lens', 'shape'], shapes, scene);
     return html`
       ${lensModeControls(scene).map((control) => this.field(control))}
       ${shapes.length > 1 ? this.field(shape.choice) : nothing}
       <cutaway-module-fields
         .controls=${shape.controls}
-        .group=${GROUP}
+        .group=${words().panel.adjust.lens}
         .change=${this.change}
       ></cutaway-module-fields>
       ${this.field(lensRadiusControl(scene, volume))}
       <cutaway-coordinate-fields
         .controls=${lensCentreControls(scene)}
-        .heading=${'Centre in the patient'}
-        .group=${GROUP}
+        .heading=${words().controls.centre_in_patient}
+        .group=${words().panel.adjust.lens}
         .change=${this.change}
       ></cutaway-coordinate-fields>
     `;
@@ -56,7 +55,7 @@ export class LensSection extends SessionElement {
   private field(control: Control) {
     return html`<cutaway-control
       .control=${control}
-      .group=${GROUP}
+      .group=${words().panel.adjust.lens}
       .change=${this.change}
     ></cutaway-control>`;
   }

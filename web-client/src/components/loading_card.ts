@@ -4,14 +4,9 @@ import { customElement } from 'lit/decorators.js';
 import type { LoadingMessage } from '../protocol/messages.ts';
 import { shared } from '../styles/shared.ts';
 import { SessionElement } from './session_element.ts';
+import { words } from '../words/words.ts';
 
 const STAGES = ['read', 'decode', 'min_max', 'upload'] as const;
-const STAGE_TITLES: Readonly<Record<string, string>> = {
-  read: 'Reading',
-  decode: 'Decoding',
-  min_max: 'Analysing',
-  upload: 'Uploading to the renderer',
-};
 
 /** Of the whole way through the stages, 0..1. */
 export function overallFraction({ stage, fraction }: LoadingMessage): number {
@@ -35,7 +30,7 @@ export class LoadingCard extends SessionElement {
         padding: 16px;
         border: 1px solid var(--line);
         border-radius: var(--radius);
-        background: rgb(18 23 27 / 94%);
+        background: var(--surface-floating);
         box-shadow: var(--shadow);
       }
       .title {
@@ -67,13 +62,14 @@ export class LoadingCard extends SessionElement {
     const { loading, volumes } = this.state;
     if (!loading) return nothing;
     const title = volumes.find(({ id }) => id === loading.volume)?.title ?? loading.volume;
+    const { opening_a_volume, opening, stages, cancel } = words().page;
     const percent = Math.round(overallFraction(loading) * 100);
-    return html`<section class="card" aria-label="Opening a volume">
+    return html`<section class="card" aria-label=${opening_a_volume}>
       <p class="title">${title}</p>
       <div
         class="track"
         role="progressbar"
-        aria-label="Opening ${title}"
+        aria-label=${opening(title)}
         aria-valuenow=${percent}
         aria-valuemin="0"
         aria-valuemax="100"
@@ -81,9 +77,9 @@ export class LoadingCard extends SessionElement {
         <div class="fill" style="width: ${percent}%"></div>
       </div>
       <div class="row">
-        <span class="quiet small">${STAGE_TITLES[loading.stage]} · ${percent} %</span>
+        <span class="quiet small">${stages[loading.stage]} · ${percent} %</span>
         <button class="text-button" @click=${() => this.session.commands.cancelLoad()}>
-          Cancel
+          ${cancel}
         </button>
       </div>
     </section>`;

@@ -6,6 +6,7 @@ import type { ControlLevels } from '../state/module_model.ts';
 import type { Control } from '../state/controls.ts';
 import { shared } from '../styles/shared.ts';
 import './control_field.ts';
+import { words } from '../words/words.ts';
 
 @customElement('cutaway-module-fields')
 export class ModuleFields extends LitElement {
@@ -38,7 +39,7 @@ export class ModuleFields extends LitElement {
         advanced.length === 0
           ? nothing
           : html`<details>
-              <summary>Advanced</summary>
+              <summary>${words().panel.advanced}</summary>
               <div class="list">${advanced.map((control) => this.field(control))}</div>
             </details>`
       }

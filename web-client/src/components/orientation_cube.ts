@@ -7,6 +7,7 @@ import { cameraAxes, type CameraAxes } from '../view/camera.ts';
 import { STANDARD_VIEWS, type StandardView } from '../view/orientation.ts';
 import { cross, dot, scale, type Vector3 } from '../view/vector.ts';
 import { SessionElement } from './session_element.ts';
+import { words } from '../words/words.ts';
 
 const HALF_SIDE_CSS_PX = 19;
 
@@ -57,15 +58,15 @@ export class OrientationCube extends SessionElement {
       padding: 0;
       border: 1px solid rgb(233 238 241 / 34%);
       background: rgb(26 33 38 / 88%);
-      color: #e9eef1;
+      color: var(--on-picture-text);
       font: 600 14px var(--font);
       backface-visibility: hidden;
       cursor: pointer;
       pointer-events: auto;
     }
     button:hover {
-      background: var(--accent);
-      color: var(--on-accent);
+      background: var(--on-picture-accent);
+      color: var(--on-picture-on-accent);
     }
   `;
 
@@ -79,7 +80,7 @@ export class OrientationCube extends SessionElement {
         (face) =>
           html`<button
             tabindex="-1"
-            title=${face.name}
+            title=${words().page.directions[face.letter]}
             style=${styleMap({ transform: faceTransform(axes, face) })}
             @click=${() => this.session.commands.look(face)}
           >

@@ -4,6 +4,7 @@ import { customElement } from 'lit/decorators.js';
 import { shownCamera } from '../state/scene_parts.ts';
 import { edgeLetters } from '../view/orientation.ts';
 import { SessionElement } from './session_element.ts';
+import { words } from '../words/words.ts';
 
 @customElement('cutaway-orientation-marks')
 export class OrientationMarks extends SessionElement {
@@ -20,8 +21,8 @@ export class OrientationMarks extends SessionElement {
       min-width: 22px;
       padding: 1px 5px;
       border-radius: 5px;
-      background: rgb(10 13 15 / 66%);
-      color: #e9eef1;
+      background: var(--on-picture-surface);
+      color: var(--on-picture-text);
       font-size: 12px;
       font-weight: 600;
       letter-spacing: 0.04em;
@@ -56,7 +57,10 @@ export class OrientationMarks extends SessionElement {
     const edges = ['top', 'right', 'bottom', 'left'] as const;
     return edges.map(
       (edge) =>
-        html`<span class=${edge} aria-label="${edge}: ${letters[edge]}" role="img"
+        html`<span
+          class=${edge}
+          aria-label="${words().page.edges[edge]}: ${letters[edge]}"
+          role="img"
           >${letters[edge]}</span
         >`,
     );

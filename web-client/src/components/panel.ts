@@ -10,17 +10,13 @@ import { SessionElement } from './session_element.ts';
 import './style_gallery.ts';
 import './view_tab.ts';
 import './volume_list.ts';
+import { words } from '../words/words.ts';
 
-const TABS: readonly { readonly tab: PanelTab; readonly title: string }[] = [
-  { tab: 'volumes', title: 'Volumes' },
-  { tab: 'styles', title: 'Styles' },
-  { tab: 'adjust', title: 'Adjust' },
-  { tab: 'view', title: 'View' },
-];
+const TABS: readonly PanelTab[] = ['volumes', 'styles', 'adjust', 'view'];
 
 @customElement('cutaway-panel')
 export class CutawayPanel extends SessionElement {
-  protected override readonly draws = ['panel_tab', 'panel_open'] as const;
+  protected override readonly draws = ['panel_tab', 'preferences'] as const;
 
   static override styles = [
     shared,
@@ -101,13 +97,13 @@ export class CutawayPanel extends SessionElement {
   ];
 
   override render() {
-    const { panel_tab, panel_open } = this.state;
+    const { panel_tab, preferences } = this.state;
     return html`
-      <div role="tablist" aria-label="Panel" @keydown=${this.onKey}>
-        ${TABS.map((entry) => this.tab(entry))}
+      <div role="tablist" aria-label=${words().panel.name} @keydown=${this.onKey}>
+        ${TABS.map((tab) => this.tab(tab))}
       </div>
       ${
-        panel_open
+        preferences.panel_open
           ? html`<div
               role="tabpanel"
               class=${panel_tab}
@@ -122,24 +118,25 @@ export class CutawayPanel extends SessionElement {
     `;
   }
 
-  private tab({ tab, title }: (typeof TABS)[number]) {
-    const { panel_tab, panel_open } = this.state;
+  private tab(tab: PanelTab) {
+    const { panel_tab, preferences } = this.state;
     const chosen = panel_tab === tab;
     return html`<button
       role="tab"
       id="tab-${tab}"
-      aria-selected=${chosen && panel_open ? 'true' : 'false'}
+      aria-selected=${chosen && preferences.panel_open ? 'true' : 'false'}
       tabindex=${chosen ? '0' : '-1'}
       @click=${() => this.choose(tab)}
     >
-      <wa-icon name=${tab}></wa-icon>${title}
+      <wa-icon name=${tab}></wa-icon>${words().panel.tabs[tab]}
     </button>`;
   }
 
   /** On a phone the chosen tab again closes the sheet. */
   private choose(tab: PanelTab): void {
-    const { panel_tab, panel_open } = this.state;
-    if (isPhone() && panel_open && panel_tab === tab) this.session.commands.togglePanel();
+    const { panel_tab, preferences } = this.state;
+    if (isPhone() && preferences.panel_open && panel_tab === tab)
+      this.session.commands.togglePanel();
     else this.session.commands.showTab(tab);
   }
 
@@ -147,12 +144,12 @@ export class CutawayPanel extends SessionElement {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (step === undefined) return;
     event.preventDefault();
-    const index = TABS.findIndex(({ tab }) => tab === this.state.panel_tab);
+    const index = TABS.indexOf(this.state.panel_tab);
     const next = TABS[(index + step + TABS.length) % TABS.length];
     if (!next) return;
-    this.session.commands.showTab(next.tab);
+    this.session.commands.showTab(next);
     void this.updateComplete.then(() =>
-      this.renderRoot.querySelector<HTMLElement>(`#tab-${next.tab}`)?.focus(),
+      this.renderRoot.querySelector<HTMLElement>(`#tab-${next}`)?.focus(),
     );
   }
 

@@ -3,8 +3,7 @@
 import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { SessionElement } from './session_element.ts';
-
-const FALLBACK_NOTICE = 'Not for diagnostic use';
+import { words } from '../words/words.ts';
 
 @customElement('cutaway-picture-notices')
 export class PictureNotices extends SessionElement {
@@ -24,21 +23,24 @@ export class PictureNotices extends SessionElement {
     span {
       padding: 3px 8px;
       border-radius: 5px;
-      background: rgb(10 13 15 / 74%);
-      color: #cfd8dd;
+      background: var(--on-picture-surface);
+      color: var(--on-picture-text);
       font-size: 12px;
     }
     .notice {
-      color: var(--warning);
+      color: var(--on-picture-warning);
     }
   `;
 
   override render() {
     const { capabilities, shown } = this.state;
+    const texts = words().page;
     const lossy = shown !== undefined && !shown.lossless;
     return html`
-      <span class="notice" data-part="notice">${capabilities?.notice ?? FALLBACK_NOTICE}</span>
-      ${lossy ? html`<span data-part="lossy" title="JPEG-compressed">lossy</span>` : nothing}
+      <span class="notice" data-part="notice"
+        >${capabilities?.notice ?? texts.not_for_diagnosis}</span
+      >
+      ${lossy ? html`<span data-part="lossy" title=${texts.lossy_hint}>${texts.lossy}</span>` : nothing}
     `;
   }
 }

@@ -5,7 +5,8 @@ import type { ViewerSession } from '../session/viewer_session.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
 
 export abstract class SessionElement extends LitElement {
-  /** The parts of the state that it draws: only a change of these draws it again. */
+  /** The parts of the state that it draws: only a change of these draws it
+   * again, and one of the language. */
   protected abstract readonly draws: readonly (keyof ViewerState)[];
 
   @property({ attribute: false }) session!: ViewerSession;
@@ -19,7 +20,8 @@ export abstract class SessionElement extends LitElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.unsubscribe = this.session.store.subscribe((state, before) => {
-      if (this.draws.some((part) => state[part] !== before[part])) this.requestUpdate();
+      const parts = [...this.draws, 'language'] as const;
+      if (parts.some((part) => state[part] !== before[part])) this.requestUpdate();
     });
   }
 

@@ -13,6 +13,7 @@ import type { Viewport } from '../view/camera.ts';
 import './section.ts';
 import { SessionElement } from './session_element.ts';
 import './style_picture.ts';
+import { words } from '../words/words.ts';
 
 @customElement('cutaway-style-gallery')
 export class StyleGallery extends SessionElement {
@@ -131,18 +132,18 @@ export class StyleGallery extends SessionElement {
 
   override render() {
     const { capabilities, scene } = this.state;
-    if (!capabilities) return html`<p class="quiet">Waiting for the server…</p>`;
+    if (!capabilities) return html`<p class="quiet">${words().panel.styles.waiting}</p>`;
     const worn = matchingStyle(scene, capabilities.styles);
     const studies = stylesOf('study', capabilities.styles);
     this.studies_open ||= groupOf(worn) === 'study';
     return html`${this.caption(worn)}
-      <h2 id="illustrations">Illustrations</h2>
+      <h2 id="illustrations">${words().panel.styles.illustrations}</h2>
       ${this.cards('illustrations', stylesOf('illustration', capabilities.styles), worn)}
       ${
         studies.length === 0
           ? nothing
           : html`<cutaway-section
-              heading="Technique studies"
+              heading=${words().panel.styles.studies}
               hint=${studies.length}
               ?open=${this.studies_open}
             >
@@ -152,11 +153,12 @@ export class StyleGallery extends SessionElement {
   }
 
   private caption(worn: Style | undefined) {
+    const { own_look, own_look_hint } = words().panel.styles;
     return html`<p class="worn quiet small">
       ${
         worn
           ? html`<strong>${worn.title}.</strong> ${worn.description}`
-          : html`<strong>Your own look.</strong> No named style has these settings.`
+          : html`<strong>${own_look}</strong> ${own_look_hint}`
       }
     </p>`;
   }

@@ -6,6 +6,7 @@ import { repeat } from 'lit/directives/repeat.js';
 import type { Toast } from '../state/viewer_state.ts';
 import { shared } from '../styles/shared.ts';
 import { SessionElement } from './session_element.ts';
+import { words } from '../words/words.ts';
 
 const NOTE_MS = 4_000;
 const PROBLEM_MS = 15_000;
@@ -31,7 +32,7 @@ export class ToastStack extends SessionElement {
         padding: 10px 6px 10px 14px;
         border: 1px solid var(--line-strong);
         border-radius: var(--radius);
-        background: rgb(26 33 38 / 97%);
+        background: var(--surface-floating);
         box-shadow: var(--shadow);
         pointer-events: auto;
         animation: rise 180ms ease-out;
@@ -93,7 +94,7 @@ export class ToastStack extends SessionElement {
       <div class="text"><strong>${title}</strong><span class="quiet small">${detail}</span></div>
       <button
         class="icon-button"
-        aria-label="Dismiss"
+        aria-label=${words().page.dismiss}
         @click=${() => this.session.toasts.dismiss(id)}
       >
         <wa-icon name="close"></wa-icon>

@@ -1,24 +1,17 @@
 // Whose picture it is, the connection, and what can be done with the whole view.
 import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import type { LinkState } from '../stream/worker_messages.ts';
 import { volumeFacts } from '../state/volume_text.ts';
 import { shared } from '../styles/shared.ts';
 import { SessionElement } from './session_element.ts';
-
-const LINK_TITLES: Readonly<Record<LinkState['phase'], string>> = {
-  connecting: 'Connecting',
-  connected: 'Connected',
-  queued: 'In the queue',
-  waiting: 'Disconnected',
-};
+import { words } from '../words/words.ts';
 
 @customElement('cutaway-top-bar')
 export class TopBar extends SessionElement {
   protected override readonly draws = [
     'link',
     'volume',
-    'panel_open',
+    'preferences',
     'shown',
     'lens_follows',
   ] as const;
@@ -129,9 +122,10 @@ export class TopBar extends SessionElement {
   ];
 
   override render() {
-    const { link, volume, panel_open, shown } = this.state;
+    const { link, volume, preferences, shown } = this.state;
     const { commands } = this.session;
-    const toggle = panel_open ? 'Hide the panel' : 'Show the panel';
+    const { bar, links } = words().page;
+    const toggle = preferences.panel_open ? bar.hide_panel : bar.show_panel;
     return html`
       <h1 class="brand"><img src="./favicon.svg" alt="" /><span>Cutaway</span></h1>
       <div class="volume" data-part="volume-title">
@@ -143,13 +137,13 @@ export class TopBar extends SessionElement {
         }
       </div>
       <div class="link ${link.phase}">
-        <span class="dot"></span><span>${LINK_TITLES[link.phase]}</span>
+        <span class="dot"></span><span>${links[link.phase]}</span>
       </div>
-      <nav aria-label="View">
+      <nav aria-label=${bar.view}>
         ${this.followButton()}
-        ${this.button('link', 'Copy a link to this view', () => void this.copyLink(), !volume)}
-        ${this.button('save', 'Save the picture as PNG', () => commands.saveStill(), !shown, 'save')}
-        ${this.button('help', 'Help and keys', () => commands.toggleHelp(true))}
+        ${this.button('link', bar.copy_link, () => void this.copyLink(), !volume)}
+        ${this.button('save', bar.save_picture, () => commands.saveStill(), !shown, 'save')}
+        ${this.button('help', bar.help, () => commands.toggleHelp(true))}
         ${this.button('panel', toggle, () => commands.togglePanel(), false, 'panel-toggle')}
       </nav>
     `;
@@ -169,11 +163,12 @@ export class TopBar extends SessionElement {
 
   private followButton() {
     const { lens_follows, volume } = this.state;
+    const { follow } = words().page.bar;
     return html`<button
       class="icon-button follow"
-      aria-label="Lens follows the pointer"
+      aria-label=${follow}
       aria-pressed=${lens_follows ? 'true' : 'false'}
-      title="Lens follows the pointer (f)"
+      title="${follow} (f)"
       ?disabled=${!volume}
       @click=${() => this.session.commands.followPointer()}
     >
@@ -186,9 +181,9 @@ export class TopBar extends SessionElement {
     if (!address) return;
     try {
       await navigator.clipboard.writeText(address);
-      this.session.toasts.note('The link to this view is in the clipboard');
+      this.session.toasts.note(words().messages.link_in_clipboard);
     } catch {
-      this.session.toasts.note('The link to this view is in the address bar');
+      this.session.toasts.note(words().messages.link_in_address_bar);
     }
   }
 }

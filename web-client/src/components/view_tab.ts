@@ -6,8 +6,10 @@ import { fieldOfViewControl, projectionControl } from '../state/scene_controls.t
 import { STANDARD_VIEWS } from '../view/orientation.ts';
 import { shared } from '../styles/shared.ts';
 import './control_field.ts';
+import './page_settings.ts';
 import './section.ts';
 import { SessionElement } from './session_element.ts';
+import { words } from '../words/words.ts';
 
 @customElement('cutaway-view-tab')
 export class ViewTab extends SessionElement {
@@ -47,32 +49,35 @@ export class ViewTab extends SessionElement {
 
   override render() {
     const { scene } = this.state;
+    const texts = words().panel.view;
     return html`
-      <cutaway-section heading="Look from" open>
+      <cutaway-section heading=${texts.look_from} open>
         <div class="views">
           ${STANDARD_VIEWS.map(
             (view) =>
               html`<button class="text-button" @click=${() => this.session.commands.look(view)}>
-                ${view.name}
+                ${words().page.directions[view.letter]}
               </button>`,
           )}
         </div>
         <button class="text-button row" @click=${() => this.session.commands.resetView()}>
-          <wa-icon name="reset"></wa-icon>Reset the view
+          <wa-icon name="reset"></wa-icon>${texts.reset}
         </button>
       </cutaway-section>
       ${scene?.camera ? this.camera() : nothing}
-      <cutaway-section heading="Status" open>${this.status()}</cutaway-section>
+      <cutaway-page-settings .session=${this.session}></cutaway-page-settings>
+      <cutaway-section heading=${texts.status} open>${this.status()}</cutaway-section>
     `;
   }
 
   private camera() {
     const scene = this.state.scene ?? {};
     const projection = projectionControl(scene);
-    return html`<cutaway-section heading="Projection" open>
+    const texts = words().panel.view;
+    return html`<cutaway-section heading=${texts.projection} open>
       <cutaway-control
         .control=${projection}
-        .group=${'View'}
+        .group=${texts.view}
         .change=${this.change}
       ></cutaway-control>
       ${
@@ -80,7 +85,7 @@ export class ViewTab extends SessionElement {
           ? nothing
           : html`<cutaway-control
               .control=${fieldOfViewControl(scene)}
-              .group=${'View'}
+              .group=${texts.view}
               .change=${this.change}
             ></cutaway-control>`
       }
@@ -89,29 +94,32 @@ export class ViewTab extends SessionElement {
 
   private status() {
     const { capabilities, shown, frames_per_second } = this.state;
-    const milliseconds = (microseconds: number): string => `${(microseconds / 1000).toFixed(1)} ms`;
+    const { number } = words();
+    const texts = words().panel.view;
+    const milliseconds = (microseconds: number): string => `${number(microseconds / 1000, 1)} ms`;
     const rows: [string, string][] = [];
     if (capabilities)
-      rows.push(['Server', capabilities.server], ['Renderer', capabilities.renderer]);
+      rows.push([texts.server, capabilities.server], [texts.renderer, capabilities.renderer]);
     if (shown) {
       rows.push(
         [
-          'Picture',
-          `${shown.width_px}×${shown.height_px} of ${shown.viewport_width_px}×${shown.viewport_height_px}`,
+          texts.picture,
+          texts.picture_size(
+            `${shown.width_px}×${shown.height_px}`,
+            `${shown.viewport_width_px}×${shown.viewport_height_px}`,
+          ),
         ],
-        ['Quality', shown.still ? 'still' : 'in motion'],
-        ['Size', `${(shown.bytes / 1024).toFixed(0)} KiB`],
-        ['Render, encode', `${milliseconds(shown.render_us)}, ${milliseconds(shown.encode_us)}`],
-        ['Input to picture', `${shown.latency_ms.toFixed(0)} ms`],
-        ['Pictures in the last second', String(frames_per_second)],
+        [texts.quality, shown.still ? texts.still : texts.in_motion],
+        [texts.size, `${number(shown.bytes / 1024)} KiB`],
+        [texts.render_encode, `${milliseconds(shown.render_us)}, ${milliseconds(shown.encode_us)}`],
+        [texts.latency, `${number(shown.latency_ms)} ms`],
+        [texts.frames_per_second, number(frames_per_second)],
       );
     }
     return html`
       ${
         capabilities?.software_renderer
-          ? html`<p class="software small">
-              The server has no graphics processor: pictures are made in software, and slowly.
-            </p>`
+          ? html`<p class="software small">${texts.software}</p>`
           : nothing
       }
       <dl class="small">

@@ -8,7 +8,7 @@ import { picturePoint } from '../interaction/picture_point.ts';
 import { PointerGestures } from '../interaction/pointer_gestures.ts';
 import { observeViewport, withinLimits } from '../interaction/viewport_size.ts';
 import { listenToWheel } from '../interaction/wheel.ts';
-import { queueText } from '../state/link_text.ts';
+import { linkReason } from '../state/link_reason.ts';
 import type { Viewport } from '../view/camera.ts';
 import { shared } from '../styles/shared.ts';
 import './lens_overlay.ts';
@@ -17,10 +17,7 @@ import './orientation_cube.ts';
 import './orientation_marks.ts';
 import './picture_notices.ts';
 import { SessionElement } from './session_element.ts';
-
-const KEYS_IN_SHORT =
-  'Arrow keys rotate, plus and minus zoom, Shift and arrows move the lens. ' +
-  'Question mark lists all keys.';
+import { words } from '../words/words.ts';
 
 @customElement('cutaway-viewport')
 export class CutawayViewport extends SessionElement {
@@ -93,7 +90,7 @@ export class CutawayViewport extends SessionElement {
         padding: 10px 14px;
         border: 1px solid var(--line-strong);
         border-radius: var(--radius);
-        background: rgb(18 23 27 / 94%);
+        background: var(--surface-floating);
         box-shadow: var(--shadow);
       }
       .empty {
@@ -155,8 +152,8 @@ export class CutawayViewport extends SessionElement {
         class="stage ${classMap({ offline, follows: lens_follows })}"
         tabindex="0"
         role="application"
-        aria-label="3-D picture"
-        aria-description=${KEYS_IN_SHORT}
+        aria-label=${words().page.picture}
+        aria-description=${words().page.keys_in_short}
         data-part="stage"
       >
         ${this.canvas}
@@ -173,22 +170,24 @@ export class CutawayViewport extends SessionElement {
   private emptyNote() {
     const { shown, loading, link, capabilities, volumes, awaits_volume } = this.state;
     if (shown || loading || link.phase === 'waiting' || link.phase === 'queued') return nothing;
+    const texts = words().page;
     const empty = capabilities !== undefined && volumes.length === 0;
-    const coming = awaits_volume ? 'Looking for volumes…' : 'Preparing the picture…';
-    const waiting = link.phase === 'connecting' ? 'Connecting…' : coming;
-    const text = empty ? 'The server has no volumes to show.' : waiting;
+    const coming = awaits_volume ? texts.looking_for_volumes : texts.preparing;
+    const waiting = link.phase === 'connecting' ? texts.connecting : coming;
+    const text = empty ? texts.no_volumes : waiting;
     return html`<div class="empty">${text}</div>`;
   }
 
   private offlineBanner() {
     const { link } = this.state;
+    const texts = words().page;
     if (link.phase === 'queued')
-      return html`<div class="banner"><span>${queueText(link.place)}</span></div>`;
+      return html`<div class="banner"><span>${texts.queue(link.place)}</span></div>`;
     if (link.phase !== 'waiting') return nothing;
     return html`<div class="banner">
-      <span>Reconnecting: ${link.reason}.</span>
+      <span>${texts.reconnecting(linkReason(link))}</span>
       <button class="text-button" @click=${() => this.session.commands.connectNow()}>
-        Try now
+        ${texts.try_now}
       </button>
     </div>`;
   }

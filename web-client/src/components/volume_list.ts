@@ -6,6 +6,7 @@ import { volumeFacts, volumeWarnings } from '../state/volume_text.ts';
 import { shared } from '../styles/shared.ts';
 import { overallFraction } from './loading_card.ts';
 import { SessionElement } from './session_element.ts';
+import { words } from '../words/words.ts';
 
 @customElement('cutaway-volume-list')
 export class VolumeList extends SessionElement {
@@ -96,11 +97,11 @@ export class VolumeList extends SessionElement {
     const { volumes, refused, scanning } = this.state;
     const none = volumes.length === 0 && !scanning;
     return html`
-      ${none ? html`<p class="quiet">No volumes yet.</p>` : nothing}
+      ${none ? html`<p class="quiet">${words().panel.volumes.none}</p>` : nothing}
       <ul>
         ${volumes.map((entry) => html`<li>${this.entry(entry)}</li>`)}
       </ul>
-      ${scanning ? html`<p class="quiet scanning">Looking for more volumes…</p>` : nothing}
+      ${scanning ? html`<p class="quiet scanning">${words().panel.volumes.scanning}</p>` : nothing}
       ${refused.length > 0 ? this.refusedList(refused) : nothing}
     `;
   }
@@ -126,7 +127,7 @@ export class VolumeList extends SessionElement {
 
   private refusedList(refused: readonly RefusedEntry[]) {
     return html`<details class="refused">
-      <summary>${refused.length} could not be read</summary>
+      <summary>${words().panel.volumes.refused(refused.length)}</summary>
       <ul>
         ${refused.map(
           ({ path, reason }) =>

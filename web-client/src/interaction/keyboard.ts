@@ -1,5 +1,6 @@
 // Keys while the picture has the focus. The help sheet lists the same table.
 import type { Commands } from '../session/commands.ts';
+import type { Words } from '../words/words.ts';
 
 const TURN_CSS_PIXELS = 24;
 const NUDGE_CSS_PIXELS = 12;
@@ -10,7 +11,7 @@ const ROLL_RADIANS = Math.PI / 36;
 export interface KeyBinding {
   /** As the help sheet shows them. */
   readonly keys: string;
-  readonly meaning: string;
+  readonly meaning: keyof Words['keys']['meanings'];
   /** Whether the event is one of them; if so it has been carried out. */
   readonly apply: (event: KeyboardEvent, commands: Commands, device_pixels: number) => boolean;
 }
@@ -51,34 +52,34 @@ function key(names: string, action: (commands: Commands) => void): KeyBinding['a
 export const KEY_BINDINGS: readonly KeyBinding[] = [
   {
     keys: '← ↑ → ↓',
-    meaning: 'Rotate',
+    meaning: 'rotate',
     apply: arrows('none', TURN_CSS_PIXELS, (c, dx, dy) => c.orbit(dx, dy)),
   },
   {
     keys: 'Alt + ← ↑ → ↓',
-    meaning: 'Pan',
+    meaning: 'pan',
     apply: arrows('alt', TURN_CSS_PIXELS, (c, dx, dy) => c.pan(dx, dy)),
   },
   {
     keys: 'Shift + ← ↑ → ↓',
-    meaning: 'Move the lens over the surface',
+    meaning: 'move_lens',
     apply: arrows('shift', NUDGE_CSS_PIXELS, (c, dx, dy) => c.nudgeLens(dx, dy)),
   },
-  { keys: '+', meaning: 'Zoom in', apply: key('+ =', (c) => c.zoom(ZOOM_FACTOR)) },
-  { keys: '-', meaning: 'Zoom out', apply: key('- _', (c) => c.zoom(1 / ZOOM_FACTOR)) },
-  { keys: ']', meaning: 'Larger lens', apply: key(']', (c) => c.scaleLens(LENS_FACTOR)) },
-  { keys: '[', meaning: 'Smaller lens', apply: key('[', (c) => c.scaleLens(1 / LENS_FACTOR)) },
-  { keys: 'x', meaning: 'Lens on or off', apply: key('x', (c) => c.toggleLens()) },
+  { keys: '+', meaning: 'zoom_in', apply: key('+ =', (c) => c.zoom(ZOOM_FACTOR)) },
+  { keys: '-', meaning: 'zoom_out', apply: key('- _', (c) => c.zoom(1 / ZOOM_FACTOR)) },
+  { keys: ']', meaning: 'larger_lens', apply: key(']', (c) => c.scaleLens(LENS_FACTOR)) },
+  { keys: '[', meaning: 'smaller_lens', apply: key('[', (c) => c.scaleLens(1 / LENS_FACTOR)) },
+  { keys: 'x', meaning: 'toggle_lens', apply: key('x', (c) => c.toggleLens()) },
   {
     keys: 'f',
-    meaning: 'Lens follows the pointer, until f, Esc or a drag',
+    meaning: 'follow',
     apply: key('f', (c) => c.followPointer()),
   },
-  { keys: ',', meaning: 'Roll left', apply: key(',', (c) => c.roll(-ROLL_RADIANS)) },
-  { keys: '.', meaning: 'Roll right', apply: key('.', (c) => c.roll(ROLL_RADIANS)) },
-  { keys: 'r', meaning: 'Reset the view', apply: key('r', (c) => c.resetView()) },
-  { keys: 'p', meaning: 'Show or hide the panel', apply: key('p', (c) => c.togglePanel()) },
-  { keys: '?', meaning: 'This sheet', apply: key('?', (c) => c.toggleHelp()) },
+  { keys: ',', meaning: 'roll_left', apply: key(',', (c) => c.roll(-ROLL_RADIANS)) },
+  { keys: '.', meaning: 'roll_right', apply: key('.', (c) => c.roll(ROLL_RADIANS)) },
+  { keys: 'r', meaning: 'reset_view', apply: key('r', (c) => c.resetView()) },
+  { keys: 'p', meaning: 'toggle_panel', apply: key('p', (c) => c.togglePanel()) },
+  { keys: '?', meaning: 'help', apply: key('?', (c) => c.toggleHelp()) },
 ];
 
 export function applyKey(event: KeyboardEvent, commands: Commands, device_pixels: number): void {

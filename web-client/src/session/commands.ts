@@ -12,6 +12,7 @@ import type { StandardView } from '../view/orientation.ts';
 import type { Counter } from '../protocol/counter.ts';
 import { SCENE_FIELDS, type Style } from '../protocol/messages.ts';
 import type { SceneLink } from './scene_link.ts';
+import type { Preferences } from '../preferences/preferences.ts';
 
 const SMALLEST_LENS_MM = 1;
 
@@ -137,11 +138,16 @@ export class Commands {
   }
 
   showTab(panel_tab: PanelTab): void {
-    this.store.update({ panel_tab, panel_open: true });
+    this.store.update({ panel_tab });
+    this.prefer({ panel_open: true });
   }
 
   togglePanel(): void {
-    this.store.update({ panel_open: !this.store.state.panel_open });
+    this.prefer({ panel_open: !this.store.state.preferences.panel_open });
+  }
+
+  prefer(change: Partial<Preferences>): void {
+    this.store.update({ preferences: { ...this.store.state.preferences, ...change } });
   }
 
   toggleHelp(help_open = !this.store.state.help_open): void {

@@ -9,6 +9,7 @@ import type { ViewerState } from '../state/viewer_state.ts';
 import { errorDetail } from '../state/error_text.ts';
 import type { SceneLink } from './scene_link.ts';
 import type { Toasts } from './toasts.ts';
+import { words } from '../words/words.ts';
 
 export class SceneOpening {
   private begun = false;
@@ -34,8 +35,7 @@ export class SceneOpening {
     if (awaits_volume) return this.openDefault();
     if (this.begun || !capabilities || volumes.length === 0) return;
     this.begun = true;
-    if (scene)
-      this.ask(scene as JsonObject, 'The view before the interruption could not be restored');
+    if (scene) this.ask(scene as JsonObject, words().messages.view_not_restored);
     else if (!(await this.openAddress(address))) this.openDefault();
   }
 
@@ -43,14 +43,12 @@ export class SceneOpening {
   async openAddress(address: string): Promise<boolean> {
     try {
       const scene = await sceneFromAddress(address);
-      if (scene) this.ask(scene, 'This link could not be opened');
+      if (scene) this.ask(scene, words().messages.link_not_opened);
       return scene !== undefined;
     } catch (error) {
       if (!(error instanceof SceneAddressError)) throw error;
-      this.toasts.problem(
-        'This link could not be opened',
-        `${error.message}. A new view was opened instead.`,
-      );
+      const { link_not_opened, new_view_instead, link_faults } = words().messages;
+      this.toasts.problem(link_not_opened, new_view_instead(link_faults[error.fault]));
       return false;
     }
   }

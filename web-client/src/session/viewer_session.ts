@@ -8,6 +8,8 @@ import type {
   ErrorMessage,
   LoadingMessage,
   ServerMessage,
+  VolumeEntry,
+  VolumeSummary,
 } from '../protocol/messages.ts';
 import { WorkerStream, type Stream } from '../stream/stream.ts';
 import type { FromWorker, LinkState, ShownFrame } from '../stream/worker_messages.ts';
@@ -17,6 +19,9 @@ import { SceneLink } from './scene_link.ts';
 import { SceneOpening } from './scene_opening.ts';
 import { StylePreviews } from './style_previews.ts';
 import { Toasts } from './toasts.ts';
+import type { Language } from '../words/language.ts';
+import { capabilitiesInWords, volumeInWords } from '../words/served.ts';
+import { words } from '../words/words.ts';
 
 const LAST_STAGES: ReadonlySet<LoadingMessage['stage']> = new Set(['ready', 'cancelled', 'failed']);
 
@@ -29,6 +34,12 @@ export interface SessionParts {
   readonly saveFile: SaveFile;
 }
 
+interface Told {
+  capabilities: CapabilitiesMessage | undefined;
+  volumes: readonly VolumeEntry[];
+  volume: VolumeSummary | undefined;
+}
+
 export class ViewerSession {
   readonly store = new Store<ViewerState>(INITIAL_STATE);
   readonly toasts = new Toasts(this.store);
@@ -36,6 +47,8 @@ export class ViewerSession {
   readonly previews: StylePreviews;
   private readonly link: SceneLink;
   private readonly opening: SceneOpening;
+  /** As it came. */
+  private readonly told: Told = { capabilities: undefined, volumes: [], volume: undefined };
   private readonly frame_rate = new FrameRate();
 
   constructor(private readonly parts: SessionParts) {
@@ -52,6 +65,23 @@ export class ViewerSession {
     await this.opening.openAddress(this.parts.address());
   }
 
+  /** The page speaks another language from now on. */
+  spoken(language: Language): void {
+    this.publish();
+    this.store.update({ language });
+  }
+
+  /** Names that came with what the server told, in the page's language. */
+  private publish(): void {
+    const { capabilities, volumes, volume } = this.told;
+    const { served } = words();
+    this.store.update({
+      capabilities: capabilities && capabilitiesInWords(capabilities, served),
+      volumes: volumes.map((entry) => volumeInWords(entry, served)),
+      volume: volume && volumeInWords(volume, served),
+    });
+  }
+
   private onEvent(event: FromWorker): void {
     switch (event.kind) {
       case 'link':
@@ -65,20 +95,23 @@ export class ViewerSession {
       case 'preview':
         return this.previews.arrived(event.request, event.picture);
       case 'fault':
-        return this.toasts.problem('Something unexpected came from the server', event.text);
+        return this.toasts.problem(words().messages.unexpected, event.text);
     }
   }
 
   private onLink(link: LinkState): void {
     this.previews.restart();
     this.store.update({ link });
-    if (link.phase === 'connected')
-      this.store.update({ loading: undefined, capabilities: undefined });
+    if (link.phase !== 'connected') return;
+    this.told.capabilities = undefined;
+    this.store.update({ loading: undefined, capabilities: undefined });
   }
 
   /** The server heeds nothing that comes before its capabilities went out. */
   private onCapabilities(capabilities: CapabilitiesMessage): void {
-    this.store.update({ capabilities, link: { phase: 'connected' } });
+    this.told.capabilities = capabilities;
+    this.publish();
+    this.store.update({ link: { phase: 'connected' } });
     this.link.restart();
     this.opening.restart();
     if (this.store.state.viewport) this.link.sendViewport(this.store.state.viewport);
@@ -92,15 +125,18 @@ export class ViewerSession {
         return this.onCapabilities(message);
       case 'volumes': {
         const { volumes, refused, scanning = false } = message;
-        this.store.update({ volumes, refused, scanning });
+        this.told.volumes = volumes;
+        this.publish();
+        this.store.update({ refused, scanning });
         return void this.opening.begin(this.parts.address());
       }
       case 'loading':
         return this.onLoading(message);
       case 'scene': {
         this.link.told(message);
-        if (message.volume) this.store.update({ volume: message.volume });
-        return;
+        if (!message.volume) return;
+        this.told.volume = message.volume;
+        return this.publish();
       }
       case 'error':
         return this.onError(message);
@@ -111,7 +147,7 @@ export class ViewerSession {
 
   private onLoading(loading: LoadingMessage): void {
     this.store.update({ loading: LAST_STAGES.has(loading.stage) ? undefined : loading });
-    if (loading.stage === 'cancelled') this.toasts.note('Opening was cancelled');
+    if (loading.stage === 'cancelled') this.toasts.note(words().messages.opening_cancelled);
   }
 
   private onError(error: ErrorMessage): void {
@@ -126,7 +162,7 @@ export class ViewerSession {
   }
 
   private stillName(): string {
-    const title = this.store.state.volume?.title ?? 'picture';
+    const title = this.store.state.volume?.title ?? words().messages.picture;
     return `cutaway ${title.replaceAll(/[^\p{L}\p{N}]+/gu, ' ').trim()}.png`;
   }
 }

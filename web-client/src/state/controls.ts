@@ -2,6 +2,7 @@
 // change of the scene that a new value means; a component only draws it.
 import type { ParameterDescription } from '../protocol/messages.ts';
 import { textOf, type Json, type JsonObject } from './merge_patch.ts';
+import { words } from '../words/words.ts';
 
 export interface ControlBase {
   readonly id: string;
@@ -75,7 +76,7 @@ function numberControl(
 }
 
 export const choicesOf = (values: readonly string[]): Choice[] =>
-  values.map((value) => ({ value, label: readable(value) }));
+  values.map((value) => ({ value, label: words().served.choices[value] ?? readable(value) }));
 
 /**
  * `module` is the module's part of the scene; what it does not say shows the parameter's default.

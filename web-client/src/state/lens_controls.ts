@@ -3,6 +3,7 @@ import { SCENE_FIELDS, type Scene, type VolumeSummary } from '../protocol/messag
 import type { BooleanControl, Control, NumberControl } from './controls.ts';
 import { nestedPatch } from './merge_patch.ts';
 import { sceneChoiceControl } from './scene_controls.ts';
+import { words } from '../words/words.ts';
 
 export function lensRadiusControl(scene: Scene, volume: VolumeSummary): NumberControl {
   const field = SCENE_FIELDS['lens.radius_mm'];
@@ -10,7 +11,8 @@ export function lensRadiusControl(scene: Scene, volume: VolumeSummary): NumberCo
     ...field,
     kind: 'number',
     id: 'lens-radius-mm',
-    label: 'Radius',
+    label: words().controls.radius,
+    description: words().controls.description('lens.radius_mm'),
     value: scene.lens?.radius_mm ?? 0,
     maximum: Math.min(field.maximum, Math.ceil(volume.diagonal_mm / 2)),
     toPatch: (value) => nestedPatch(['lens', 'radius_mm'], value),
@@ -19,11 +21,13 @@ export function lensRadiusControl(scene: Scene, volume: VolumeSummary): NumberCo
 
 function shareControl(name: 'strength' | 'softness', label: string, scene: Scene): NumberControl {
   const field = SCENE_FIELDS[`lens.${name}`];
+  const description = words().controls.description(`lens.${name}`);
   return {
     ...field,
     kind: 'number',
     id: `lens-${name}`,
     label,
+    description,
     unit: '',
     value: scene.lens?.[name] ?? field.default,
     toPatch: (value) => nestedPatch(['lens', name], value),
@@ -35,8 +39,8 @@ function strictControl(scene: Scene): BooleanControl {
   return {
     kind: 'boolean',
     id: 'lens-strict',
-    label: 'Fade the context everywhere',
-    description: field.description,
+    label: words().controls.fade_everywhere,
+    description: words().controls.description('lens.strict'),
     value: scene.lens?.strict ?? field.default,
     toPatch: (value) => nestedPatch(['lens', 'strict'], value),
   };
@@ -44,13 +48,14 @@ function strictControl(scene: Scene): BooleanControl {
 
 /** What the lens' present mode reads. */
 export function lensModeControls(scene: Scene): readonly Control[] {
+  const { cut_surfaces, strength, soft_rim } = words().controls;
   switch (scene.lens?.mode ?? SCENE_FIELDS['lens.mode'].default) {
     case 'cutaway':
-      return [sceneChoiceControl('lens.cap', 'Cut surfaces', scene)];
+      return [sceneChoiceControl('lens.cap', cut_surfaces, scene)];
     case 'magic':
       return [
-        shareControl('strength', 'Strength', scene),
-        shareControl('softness', 'Soft rim', scene),
+        shareControl('strength', strength, scene),
+        shareControl('softness', soft_rim, scene),
         strictControl(scene),
       ];
     case 'none':
@@ -59,11 +64,7 @@ export function lensModeControls(scene: Scene): readonly Control[] {
 }
 
 /** The patient's directions along which millimetres count up. */
-const AXES = [
-  { letter: 'L', name: 'left' },
-  { letter: 'P', name: 'posterior' },
-  { letter: 'S', name: 'superior' },
-] as const;
+const AXES = ['L', 'P', 'S'] as const;
 
 export interface CoordinateControl extends NumberControl {
   /** Of the patient's direction. */
@@ -73,13 +74,15 @@ export interface CoordinateControl extends NumberControl {
 /** Nothing while the scene leaves the centre open. */
 export function lensCentreControls(scene: Scene): readonly CoordinateControl[] {
   const field = SCENE_FIELDS['lens.centre_mm'];
+  const { centre_towards, description } = words().controls;
   const centre_mm = scene.lens?.centre_mm;
   if (!centre_mm) return [];
-  return AXES.map(({ letter, name }, axis) => ({
+  return AXES.map((letter, axis) => ({
     ...field,
+    description: description('lens.centre_mm'),
     kind: 'number',
     id: `lens-centre-${letter.toLowerCase()}`,
-    label: `Centre towards ${name} (${letter})`,
+    label: centre_towards[letter],
     letter,
     value: centre_mm[axis] ?? 0,
     step: 0.1,

@@ -1,14 +1,20 @@
 // The scene in the page's address: '#1.' and the document, deflated, in URL-safe base64. Numbers
 // keep seven digits, which is a thousandth of a millimetre at ten metres.
 import { isObject, type Json, type JsonObject } from './merge_patch.ts';
+import type { Words } from '../words/words.ts';
 
 const FORMAT = '1';
 const DIGITS = 7;
 /** A longer document than any message may be is no scene. */
 const LARGEST_BYTES = 64 * 1024;
 
-/** Its text is for the user. */
-export class SceneAddressError extends Error {}
+export type LinkFault = keyof Words['messages']['link_faults'];
+
+export class SceneAddressError extends Error {
+  constructor(readonly fault: LinkFault) {
+    super(fault);
+  }
+}
 
 function rounded(_key: string, value: Json): Json {
   return typeof value === 'number' ? Number(value.toPrecision(DIGITS)) : value;
@@ -41,7 +47,7 @@ async function readLimited(stream: ReadableStream<Uint8Array>): Promise<string> 
     text += decoder.decode(chunk.value, { stream: true });
     if (text.length > LARGEST_BYTES) {
       await reader.cancel();
-      throw new SceneAddressError('the link is larger than any scene');
+      throw new SceneAddressError('too_large');
     }
   }
   return text + decoder.decode();
@@ -67,7 +73,7 @@ async function inflateDocument(payload: string): Promise<unknown> {
     );
   } catch (error) {
     if (error instanceof SceneAddressError) throw error;
-    throw new SceneAddressError('the link is incomplete or damaged');
+    throw new SceneAddressError('damaged');
   }
 }
 
@@ -78,9 +84,8 @@ async function inflateDocument(payload: string): Promise<unknown> {
 export async function sceneFromAddress(hash: string): Promise<JsonObject | undefined> {
   if (hash.length <= 1) return undefined;
   const [format, payload] = hash.slice(1).split('.', 2);
-  if (format !== FORMAT || !payload)
-    throw new SceneAddressError('the link is of a form that this version does not know');
+  if (format !== FORMAT || !payload) throw new SceneAddressError('unknown_form');
   const scene = await inflateDocument(payload);
-  if (!isObject(scene)) throw new SceneAddressError('the link holds no scene');
+  if (!isObject(scene)) throw new SceneAddressError('no_scene');
   return scene;
 }

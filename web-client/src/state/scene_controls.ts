@@ -10,18 +10,19 @@ import { lightAngles, lightDirection, type LightAngles } from './light_angles.ts
 import { nestedPatch, textOf, valueAt, type Json, type JsonObject } from './merge_patch.ts';
 import { cameraOf, DEFAULT_FIELD_OF_VIEW_DEGREES } from './scene_parts.ts';
 import { withProjection } from '../view/camera_motion.ts';
+import { words } from '../words/words.ts';
 
 type ChoiceField = 'lens.mode' | 'lens.cap' | 'light.frame' | 'camera.projection';
 
 /** A choice that the scene itself has. */
 export function sceneChoiceControl(field: ChoiceField, label: string, scene: Scene): ChoiceControl {
   const path = field.split('.');
-  const { choices, description, default: first } = SCENE_FIELDS[field];
+  const { choices, default: first } = SCENE_FIELDS[field];
   return {
     kind: 'choice',
     id: path.join('-'),
     label,
-    description,
+    description: words().controls.description(field),
     value: textOf(valueAt(scene as Json, path), first),
     choices: choicesOf(choices),
     toPatch: (value) => nestedPatch(path, value),
@@ -32,8 +33,8 @@ export function backgroundControl(scene: Scene): ColourControl {
   return {
     kind: 'colour',
     id: 'background-colour',
-    label: 'Background',
-    description: 'Behind everything.',
+    label: words().controls.background,
+    description: words().controls.background_hint,
     value: scene.background?.colour ?? [0, 0, 0],
     toPatch: (value) => nestedPatch(['background', 'colour'], value),
   };
@@ -46,7 +47,7 @@ export function lightControls(scene: Scene): NumberControl[] {
     kind: 'number',
     id: `light-${key}`,
     label,
-    description: 'Where the light comes from, in degrees.',
+    description: words().controls.light_from,
     value: angles[key],
     minimum: -limit,
     maximum: limit,
@@ -56,8 +57,8 @@ export function lightControls(scene: Scene): NumberControl[] {
       nestedPatch(['light', 'direction'], lightDirection({ ...angles, [key]: Number(value) })),
   });
   return [
-    control('azimuth_degrees', 'From the side', 180),
-    control('elevation_degrees', 'From above', 89),
+    control('azimuth_degrees', words().controls.from_the_side, 180),
+    control('elevation_degrees', words().controls.from_above, 89),
   ];
 }
 
@@ -67,8 +68,8 @@ export function fieldOfViewControl(scene: Scene): NumberControl {
   return {
     kind: 'number',
     id: 'camera-field-of-view',
-    label: 'Field of view',
-    description: field.description,
+    label: words().controls.field_of_view,
+    description: words().controls.description('camera.vertical_fov_degrees'),
     value: scene.camera?.vertical_fov_degrees ?? field.minimum,
     minimum: 5,
     maximum: 90,
@@ -80,7 +81,7 @@ export function fieldOfViewControl(scene: Scene): NumberControl {
 
 /** Changes the projection without a jump in size. */
 export function projectionControl(scene: Scene): ChoiceControl {
-  const control = sceneChoiceControl('camera.projection', 'Projection', scene);
+  const control = sceneChoiceControl('camera.projection', words().controls.projection, scene);
   const camera = cameraOf(scene);
   if (!camera) return control;
   const fov_degrees = scene.camera?.vertical_fov_degrees ?? DEFAULT_FIELD_OF_VIEW_DEGREES;

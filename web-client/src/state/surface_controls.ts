@@ -4,6 +4,7 @@ import { SCENE_FIELDS, type Scene, type VolumeSummary } from '../protocol/messag
 import { roundStep, type BooleanControl, type NumberControl } from './controls.ts';
 import type { BranchName } from './filter_model.ts';
 import { nestedPatch } from './merge_patch.ts';
+import { words } from '../words/words.ts';
 
 export interface BandModel {
   readonly lower: NumberControl;
@@ -26,7 +27,7 @@ function endControl(
   return {
     kind: 'number',
     id: `${branch}-${field.replace('_', '-')}`,
-    description: SCENE_FIELDS[`surface.${field}`].description,
+    description: words().controls.description(`surface.${field}`),
     value,
     minimum,
     maximum,
@@ -41,7 +42,8 @@ function opacityControl(branch: BranchName, scene: Scene): NumberControl {
     ...field,
     kind: 'number',
     id: `${branch}-opacity`,
-    label: 'Opacity',
+    label: words().controls.opacity,
+    description: words().controls.description('surface.opacity'),
     value: scene[branch]?.surface?.opacity ?? field.default,
     toPatch: (value) => nestedPatch([branch, 'surface', 'opacity'], value),
   };
@@ -62,14 +64,14 @@ export function bandModel(branch: BranchName, scene: Scene, volume: VolumeSummar
   return {
     lower: {
       ...endControl(branch, 'iso_value', lower_value, volume),
-      label: 'Lower end (iso-value)',
+      label: words().controls.lower_end,
       toPatch: (value) => set('iso_value', toLower(Number(value))),
     },
     has_upper: {
       kind: 'boolean',
       id: `${branch}-has-upper`,
-      label: 'Upper end',
-      description: SCENE_FIELDS['surface.upper_value'].description,
+      label: words().controls.upper_end,
+      description: words().controls.description('surface.upper_value'),
       value: upper_value !== undefined,
       toPatch: (value) => set('upper_value', value === true ? toUpper(middle) : null),
     },
@@ -78,7 +80,7 @@ export function bandModel(branch: BranchName, scene: Scene, volume: VolumeSummar
         ? undefined
         : {
             ...endControl(branch, 'upper_value', upper_value, volume),
-            label: 'Upper value',
+            label: words().controls.upper_value,
             toPatch: (value) => set('upper_value', toUpper(Number(value))),
           },
     opacity: opacityControl(branch, scene),

@@ -9,6 +9,8 @@ import type {
 } from '../protocol/messages.ts';
 import type { LinkState, ShownFrame } from '../stream/worker_messages.ts';
 import type { Viewport } from '../view/camera.ts';
+import { DEFAULT_PREFERENCES, type Preferences } from '../preferences/preferences.ts';
+import type { Language } from '../words/language.ts';
 
 export interface Toast {
   readonly id: number;
@@ -21,6 +23,7 @@ export type PanelTab = 'volumes' | 'styles' | 'adjust' | 'view';
 
 export interface ViewerState {
   readonly link: LinkState;
+  /** Names in them, and in the volumes, are in the page's language. */
   readonly capabilities: CapabilitiesMessage | undefined;
   readonly volumes: readonly VolumeEntry[];
   readonly refused: readonly RefusedEntry[];
@@ -48,8 +51,10 @@ export interface ViewerState {
   /** Whether the page's address holds `scene`. */
   readonly address_current: boolean;
   readonly toasts: readonly Toast[];
+  readonly preferences: Preferences;
+  /** What the page speaks; behind the preference while a catalogue is loaded. */
+  readonly language: Language;
   readonly panel_tab: PanelTab;
-  readonly panel_open: boolean;
   readonly help_open: boolean;
 }
 
@@ -73,7 +78,8 @@ export const INITIAL_STATE: ViewerState = {
   lens_follows: false,
   address_current: false,
   toasts: [],
+  preferences: DEFAULT_PREFERENCES,
+  language: 'en',
   panel_tab: 'styles',
-  panel_open: true,
   help_open: false,
 };

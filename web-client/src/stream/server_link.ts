@@ -1,6 +1,6 @@
 // The WebSocket to the server, opened again whenever it is lost.
 import { ReconnectBackoff } from '../protocol/reconnect_backoff.ts';
-import type { LinkState } from './worker_messages.ts';
+import type { LinkReason, LinkState } from './worker_messages.ts';
 
 const SUBPROTOCOL = 'cutaway.v1';
 /**
@@ -14,11 +14,9 @@ export interface LinkListener {
   onBinary(message: ArrayBuffer): void;
 }
 
-function reasonFor(close: CloseEvent, was_open: boolean): string {
-  if (close.reason) return close.reason;
-  if (close.code === 1009) return 'a message was far larger than the server takes';
-  if (was_open) return 'the connection was lost';
-  return 'the server does not answer';
+function reasonFor(close: CloseEvent, was_open: boolean): LinkReason {
+  if (close.code === 1009) return 'too_large';
+  return was_open ? 'lost' : 'no_answer';
 }
 
 export class ServerLink {
@@ -72,6 +70,7 @@ export class ServerLink {
       phase: 'waiting',
       retry_in_ms,
       reason: reasonFor(event, was_open),
+      said: event.reason,
     });
     this.retry = setTimeout(() => this.connect(), retry_in_ms);
   }

@@ -19,8 +19,15 @@ export type LinkState =
   | { readonly phase: 'connected' }
   /** The server is full; `place` 1 is the next to be let in. */
   | { readonly phase: 'queued'; readonly place: number }
-  /** `reason` in words, for the user. */
-  | { readonly phase: 'waiting'; readonly retry_in_ms: number; readonly reason: string };
+  | {
+      readonly phase: 'waiting';
+      readonly retry_in_ms: number;
+      readonly reason: LinkReason;
+      /** The server's own words; often none. */
+      readonly said: string;
+    };
+
+export type LinkReason = 'lost' | 'no_answer' | 'too_large';
 
 export type FromWorker =
   | { readonly kind: 'link'; readonly state: LinkState }

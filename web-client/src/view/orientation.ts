@@ -45,17 +45,16 @@ export function edgeLetters(camera: Camera): EdgeLetters {
 }
 
 export interface StandardView {
-  readonly letter: string;
-  readonly name: string;
+  readonly letter: 'A' | 'P' | 'R' | 'L' | 'S' | 'I';
   readonly towards_eye: Vector3;
   readonly up: Vector3;
 }
 
 export const STANDARD_VIEWS: readonly StandardView[] = [
-  { letter: 'A', name: 'Anterior', towards_eye: [0, -1, 0], up: [0, 0, 1] },
-  { letter: 'P', name: 'Posterior', towards_eye: [0, 1, 0], up: [0, 0, 1] },
-  { letter: 'R', name: 'Right', towards_eye: [-1, 0, 0], up: [0, 0, 1] },
-  { letter: 'L', name: 'Left', towards_eye: [1, 0, 0], up: [0, 0, 1] },
-  { letter: 'S', name: 'Superior', towards_eye: [0, 0, 1], up: [0, -1, 0] },
-  { letter: 'I', name: 'Inferior', towards_eye: [0, 0, -1], up: [0, -1, 0] },
+  { letter: 'A', towards_eye: [0, -1, 0], up: [0, 0, 1] },
+  { letter: 'P', towards_eye: [0, 1, 0], up: [0, 0, 1] },
+  { letter: 'R', towards_eye: [-1, 0, 0], up: [0, 0, 1] },
+  { letter: 'L', towards_eye: [1, 0, 0], up: [0, 0, 1] },
+  { letter: 'S', towards_eye: [0, 0, 1], up: [0, -1, 0] },
+  { letter: 'I', towards_eye: [0, 0, -1], up: [0, -1, 0] },
 ];

@@ -24,8 +24,12 @@ const OPTIONS = [
 
 export const openBrowser = () => chromium.launch({ executablePath, args: OPTIONS });
 
-export const DESKTOP = { viewport: { width: 1440, height: 900 } };
+/** What the browser asks for; the page follows it. */
+const WISHES = { locale: 'en-GB', colorScheme: 'dark' };
+
+export const DESKTOP = { ...WISHES, viewport: { width: 1440, height: 900 } };
 export const PHONE = {
+  ...WISHES,
   viewport: { width: 390, height: 844 },
   deviceScaleFactor: 2,
   hasTouch: true,

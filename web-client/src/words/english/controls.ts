@@ -1,0 +1,40 @@
+// Labels of the panel's controls; those of modules come from the server.
+import { SCENE_FIELDS } from '../../protocol/messages.ts';
+import type { DescribedField } from '../described_field.ts';
+
+export const controls = {
+  /** What the schema says of a field of the scene. */
+  description: (field: DescribedField): string => SCENE_FIELDS[field].description,
+  /** Tells the field from the slider beside it. */
+  as_number: (label: string) => `${label}, number`,
+
+  mode: 'Mode',
+  cut_surfaces: 'Cut surfaces',
+  strength: 'Strength',
+  soft_rim: 'Soft rim',
+  fade_everywhere: 'Fade the context everywhere',
+  shape: 'Shape',
+  radius: 'Radius',
+  centre_in_patient: 'Centre in the patient',
+  centre_towards: {
+    L: 'Centre towards left (L)',
+    P: 'Centre towards posterior (P)',
+    S: 'Centre towards superior (S)',
+  },
+
+  lower_end: 'Lower end (iso-value)',
+  upper_end: 'Upper end',
+  upper_value: 'Upper value',
+  opacity: 'Opacity',
+  shading: 'Shading',
+
+  light_turns_with: 'Light turns with',
+  light_from: 'Where the light comes from, in degrees.',
+  from_the_side: 'From the side',
+  from_above: 'From above',
+  background: 'Background',
+  background_hint: 'Behind everything.',
+
+  projection: 'Projection',
+  field_of_view: 'Field of view',
+};

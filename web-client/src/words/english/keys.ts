@@ -1,0 +1,42 @@
+// The help sheet: gestures and keys.
+
+export const keys = {
+  help: 'Help',
+  close: 'Close',
+  gestures_heading: 'Mouse, touchpad, touch',
+  keys_heading: 'Keys, while the picture has the focus',
+  about: (notice: string) =>
+    `${notice} The letters at the picture's edges are the patient's directions: R and L, A and P, ` +
+    'S and I.',
+
+  /** What is printed on a key, where that is another word in another language. */
+  caps: { Shift: 'Shift', Alt: 'Alt', Ctrl: 'Ctrl', Esc: 'Esc' },
+
+  gestures: {
+    rotate: ['Drag, or one finger', 'Rotate'],
+    pan: ['Shift or middle drag, or two fingers', 'Pan'],
+    zoom: ['Wheel or right drag, or pinch', 'Zoom'],
+    move_lens: ['Drag the grip in the lens', 'Move the lens over the surface'],
+    resize_lens: ['Alt or Shift + wheel, or drag the rim', 'Resize the lens'],
+  } as Readonly<Record<'rotate' | 'pan' | 'zoom' | 'move_lens' | 'resize_lens', GestureWords>>,
+
+  meanings: {
+    rotate: 'Rotate',
+    pan: 'Pan',
+    move_lens: 'Move the lens over the surface',
+    zoom_in: 'Zoom in',
+    zoom_out: 'Zoom out',
+    larger_lens: 'Larger lens',
+    smaller_lens: 'Smaller lens',
+    toggle_lens: 'Lens on or off',
+    follow: 'Lens follows the pointer, until f, Esc or a drag',
+    roll_left: 'Roll left',
+    roll_right: 'Roll right',
+    reset_view: 'Reset the view',
+    toggle_panel: 'Show or hide the panel',
+    help: 'This sheet',
+  },
+};
+
+/** The gesture, and what it does. */
+type GestureWords = readonly [string, string];

@@ -1,0 +1,20 @@
+// The German texts, loaded when they are wanted.
+import { controls } from './german/controls.ts';
+import { keys } from './german/keys.ts';
+import { messages } from './german/messages.ts';
+import { page } from './german/page.ts';
+import { panel } from './german/panel.ts';
+import { served } from './german/served.ts';
+import { numberIn } from './plural.ts';
+import type { Words } from './words.ts';
+
+export const german: Words = {
+  language: 'de',
+  number: numberIn('de'),
+  controls,
+  keys,
+  messages,
+  page,
+  panel,
+  served,
+};

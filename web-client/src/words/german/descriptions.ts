@@ -1,0 +1,43 @@
+import type { DescribedField } from '../described_field.ts';
+
+export const descriptions: Readonly<Record<DescribedField, string>> = {
+  'camera.projection':
+    'Perspektivisch gilt das Sichtfeld in Grad, orthografisch die Höhe in Millimetern.',
+  'camera.eye_mm': 'Wo der Betrachter ist; Patientenraum, mm. Darf im Volumen liegen.',
+  'camera.target_mm': 'Was in der Bildmitte liegt; Patientenraum, mm. Nicht das Auge.',
+  'camera.up': 'Was im Bild oben ist, im Patientenraum; nicht parallel zur Blickrichtung.',
+  'camera.vertical_fov_degrees':
+    'Sichtfeld vom unteren zum oberen Bildrand, in Grad; für die Perspektive.',
+  'camera.view_height_mm': 'Was die Bildhöhe umfasst, mm; für die orthografische Projektion.',
+  'surface.iso_value':
+    'Unteres Ende des Bandes, in den Einheiten des Volumens (Hounsfield bei CT). Fehlt es, wird ' +
+    'es für das Volumen gewählt.',
+  'surface.upper_value':
+    'Oberes Ende des Bandes. Fehlt es, so ist das Band nach oben offen und die Oberfläche eine ' +
+    'Isofläche.',
+  'surface.opacity':
+    'Anteil des Lichts, den ein Millimeter des Materials aufnimmt; 1 ist von der Oberfläche an ' +
+    'undurchsichtig, weniger lässt durchscheinen, was dahinter liegt.',
+  'lens.mode':
+    'Keine zeigt den Kontext allein; Ausschnitt entfernt den Kontext in der Linse; Magisch blendet ' +
+    'den ganzen Fokus über den Kontext, wo die Linse das Bild bedeckt.',
+  'lens.centre_mm':
+    'Patientenraum, mm. Fehlt sie, liegt sie auf der Oberfläche des Kontexts in der Bildmitte oder ' +
+    'so nah daran, wie etwas vom Fokus zu sehen ist.',
+  'lens.radius_mm': 'Größe der Linse, mm; bei 0 bleibt der Kontext ganz.',
+  'lens.cap':
+    'Wie das Innere gezeichnet wird, wo die Linse eine Oberfläche aufschneidet: flach mit der ' +
+    'Normalen der Linse, nach dem Gradienten des Volumens, oder gar nicht.',
+  'lens.strength':
+    'Für die magische Linse: Anteil des Fokus in der Mitte; 0 zeigt nur den Kontext, 1 nur den ' +
+    'Fokus.',
+  'lens.softness':
+    'Für die magische Linse: Anteil des Radius, über den der Fokus zum Rand hin ausläuft; 0 ist ' +
+    'eine harte Kante.',
+  'lens.strict':
+    'Für die magische Linse: ob der Kontext auch dort ausgeblendet wird, wo der Fokus nichts ' +
+    'zeigt, sodass der Hintergrund durchscheint.',
+  'light.frame':
+    'Mit der Kamera dreht sich das Licht mit dem Betrachter; mit dem Patienten bleibt es an ihm.',
+  'light.direction': 'Richtung zum Licht.',
+};

@@ -1,0 +1,136 @@
+import type { ServedWords } from '../served.ts';
+
+export const modules: ServedWords['modules'] = {
+  'shading.tone': {
+    title: 'Tonwert',
+    description:
+      'Zwei Farben, von zwei flachen Tönen (Detail 0: Comic) bis zum weichen Verlauf von warm nach ' +
+      'kühl (Detail 1: Gooch).',
+  },
+  'shading.gooch': {
+    title: 'Gooch',
+    description:
+      'Das klassische Licht von warm nach kühl: Gelb zum Licht hin, Blau von ihm weg, je mit einem ' +
+      'Anteil der eigenen Farbe der Oberfläche.',
+  },
+  'shading.phong': {
+    title: 'Phong',
+    description:
+      'Umgebungslicht, diffuses Licht und Glanz auf einer Farbe: die Kontrolle für Vergleiche.',
+  },
+  'filter.kuwahara': {
+    title: 'Kuwahara',
+    description:
+      'Glättet Textur und behält Kanten: jedes Pixel nimmt die mittlere Farbe des ruhigsten der ' +
+      'vier Fenster um es herum.',
+  },
+  'filter.sobel': {
+    title: 'Sobel-Linien',
+    description: 'Zeichnet Linien, wo sich Farbe oder Deckung ändern.',
+  },
+  'lens_shape.sphere': {
+    title: 'Kugel',
+    description: 'Alle Punkte im Umkreis des Radius um die Mitte der Linse, im Patientenraum.',
+  },
+};
+
+export const parameters: ServedWords['parameters'] = {
+  'shading.tone.detail': {
+    title: 'Detail',
+    description: '0 zeichnet zwei flache Töne mit einer Stufe am Terminator, 1 den ganzen Verlauf.',
+  },
+  'shading.tone.dark': {
+    title: 'Dunkle Farbe',
+    description: 'Vom Licht weg. Anzeigekodiertes sRGB.',
+  },
+  'shading.tone.light': {
+    title: 'Helle Farbe',
+    description: 'Zum Licht hin. Anzeigekodiertes sRGB.',
+  },
+  'shading.tone.lambert': {
+    title: 'Lambert-Term',
+    description:
+      'Halb liest (1 + n·l) / 2, so behält die abgewandte Seite ihren Verlauf; begrenzt liest ' +
+      'max(0, n·l).',
+  },
+  'shading.tone.terminator': {
+    title: 'Terminator',
+    description:
+      'Das n·l, bei dem die Mitte des Verlaufs liegt; bei 0 wendet sich die Oberfläche vom Licht ab. ' +
+      'Nur beim halben Lambert.',
+  },
+  'shading.gooch.colour': {
+    title: 'Farbe',
+    description: 'Der Oberfläche selbst. Anzeigekodiertes sRGB.',
+  },
+  'shading.gooch.blue': { title: 'Blau (b)', description: 'Stärke des Blaus im kühlen Ton.' },
+  'shading.gooch.yellow': { title: 'Gelb (y)', description: 'Stärke des Gelbs im warmen Ton.' },
+  'shading.gooch.alpha': {
+    title: 'Farbe im kühlen Ton (alpha)',
+    description: 'Anteil der Farbe der Oberfläche im kühlen Ton.',
+  },
+  'shading.gooch.beta': {
+    title: 'Farbe im warmen Ton (beta)',
+    description: 'Anteil der Farbe der Oberfläche im warmen Ton.',
+  },
+  'shading.phong.model': {
+    title: 'Glanzmodell',
+    description:
+      'Phong spiegelt das Licht an der Normalen; Blinn nimmt den Halbvektor, dessen Exponent für ' +
+      'einen gleich großen Glanz etwa viermal so groß ist.',
+  },
+  'shading.phong.colour': {
+    title: 'Farbe',
+    description: 'Der Oberfläche. Anzeigekodiertes sRGB.',
+  },
+  'shading.phong.ambient': {
+    title: 'Umgebungslicht',
+    description: 'Anteil der Farbe, der nicht vom Licht abhängt.',
+  },
+  'shading.phong.diffuse': { title: 'Diffus', description: 'Anteil der Farbe, der n·l folgt.' },
+  'shading.phong.specular': { title: 'Glanz', description: 'Helligkeit des weißen Glanzlichts.' },
+  'shading.phong.exponent': { title: 'Exponent', description: 'Schärfe des Glanzlichts.' },
+  'filter.kuwahara.radius': {
+    title: 'Radius',
+    description:
+      'Reichweite der Fenster; 0 ändert nichts. Das ganze Fenster ist 2 Radius + 1 Pixel breit.',
+  },
+  'filter.sobel.strength': {
+    title: 'Stärke',
+    description:
+      'Deckkraft der Linien; 0 ändert nichts, 1 zeichnet die stärksten Kanten ganz schwarz oder weiß.',
+  },
+  'filter.sobel.mode': {
+    title: 'Modus',
+    description:
+      'Aufhellen addiert die Kanten, Abdunkeln zieht sie ab, Multiplizieren dunkelt um die Helligkeit ' +
+      'der Kante ab und behält den Farbton.',
+  },
+  'filter.sobel.source': {
+    title: 'Kanten von',
+    description:
+      'Wovon Linien gezeichnet werden: Farbe (jeder Kanal für sich), Helligkeit, Tiefe (Abstand vom ' +
+      'Auge) oder Normale (Richtung der Oberfläche).',
+  },
+  'filter.sobel.silhouettes': {
+    title: 'Umrisse',
+    description:
+      'Ob auch der eigene Umriss gezeichnet wird; der Rand, den eine Linse schneidet, nie.',
+  },
+  'filter.sobel.depth_step_mm': {
+    title: 'Tiefenstufe',
+    description: 'Für Kanten der Tiefe: der Unterschied, der als eine Stufe zählt.',
+  },
+  'filter.sobel.norm': {
+    title: 'Normierung',
+    description:
+      'Roh behält den Maßstab des Kerns, in dem eine Stufe von einem Viertel schon eine volle Kante ' +
+      'ist; Einheit teilt durch vier, sodass es eine Stufe von eins ist.',
+  },
+  'filter.sobel.gradient': {
+    title: 'Länge des Gradienten',
+    description:
+      'L1 summiert die Beträge beider Richtungen; L2 zieht die Wurzel ihrer Quadratsumme, sodass ' +
+      'schräge Linien so viel wiegen wie gerade.',
+  },
+};

@@ -1,0 +1,88 @@
+import type { NameWords, ServedWords } from '../served.ts';
+
+const kuwahara = (pixels: number): NameWords => ({
+  title: `Kuwahara ${pixels}`,
+  description: `Comic-Kontext, geglättet mit einem Kuwahara-Fenster von ${pixels} Pixeln; der Fokus schlicht.`,
+});
+
+const sobel = (strength: string, bright: boolean): NameWords => ({
+  title: `Sobel ${strength}, ${bright ? 'helle' : 'dunkle'} Linien`,
+  description: `Sobel-Linien der Stärke ${strength} auf dem Fokus, ${bright ? 'hell' : 'dunkel'} gezeichnet; der Kontext schlicht.`,
+});
+
+const tone = (title: string, detail: string): NameWords => ({
+  title,
+  description: `Der Tonwert allein mit Detail ${detail} auf beiden Zweigen, ohne Filter.`,
+});
+
+export const styles: ServedWords['styles'] = {
+  'anatomy-atlas': {
+    title: 'Anatomieatlas',
+    description:
+      'Gedruckte Tafel: elfenbeinfarbener Knochen mit Tuschelinien in weicher, rosiger Haut, auf Papier.',
+  },
+  'bone-blueprint': {
+    title: 'Knochen-Blaupause',
+    description:
+      'Hell auf Dunkelblau gezeichnet: leuchtende Linien im Fokus, der Kontext hebt sich kaum vom Blatt.',
+  },
+  flagship: {
+    title: 'Flaggschiff',
+    description:
+      'Fokus weich von Violett nach Orange mit dunklen Linien, Kontext in zwei ruhigen, flachen Tönen.',
+  },
+  gooch: {
+    title: 'Gooch',
+    description:
+      'Technische Illustration nach Gooch 1998: kühle blaue Schatten bis warmes gelbes Licht, über ' +
+      'einem ruhigen grauen Kontext.',
+  },
+  'magic-lens': {
+    title: 'Magische Linse',
+    description:
+      'Das Flaggschiff unter einer magischen Linse: der ganze Fokus über den Kontext geblendet, weich ' +
+      'zum Rand hin.',
+  },
+  porcelain: {
+    title: 'Porzellan',
+    description: 'Eine dunkelblaue Zeichnung in einer glatten, blassen Schale, auf Hellgrau.',
+  },
+  toon: {
+    title: 'Comic',
+    description: 'Zwei flache Töne auf beiden Zweigen mit kräftigen dunklen Umrissen.',
+  },
+  cutaway: {
+    title: 'Ausschnitt allein',
+    description:
+      'Nur Tonwerte, sodass nichts als der Ausschnitt den Fokus vom Kontext unterscheidet.',
+  },
+  'gooch-classic': {
+    title: 'Gooch, klassische Konstanten',
+    description:
+      'Licht von warm nach kühl mit den Konstanten von 1998 auf beiden Zweigen, ohne Filter.',
+  },
+  'phong-control': {
+    title: 'Phong (Kontrolle)',
+    description:
+      'Schlichtes Phong-Licht auf beiden Zweigen ohne Linien oder Abstraktion: womit die ' +
+      'Illustrationen verglichen werden.',
+  },
+  'toon-sobel': {
+    title: 'Comic mit Sobel-Linien',
+    description:
+      'Zwei flache Töne mit dunklen Linien auf beiden Zweigen: das Aussehen eines gedruckten Comics.',
+  },
+  'kuwahara-2': kuwahara(2),
+  'kuwahara-5': kuwahara(5),
+  'kuwahara-7': kuwahara(7),
+  'kuwahara-10': kuwahara(10),
+  'sobel-03-bright': sobel('0,3', true),
+  'sobel-03-dark': sobel('0,3', false),
+  'sobel-07-bright': sobel('0,7', true),
+  'sobel-07-dark': sobel('0,7', false),
+  'sobel-10-bright': sobel('1,0', true),
+  'sobel-10-dark': sobel('1,0', false),
+  'tone-half': tone('Tonwert 0,5: dazwischen', '0,5'),
+  'tone-smooth': tone('Tonwert 1: weich', '1'),
+  'tone-toon': tone('Tonwert 0: Comic', '0'),
+};
