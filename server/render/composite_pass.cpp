@@ -8,7 +8,7 @@ CompositePass::CompositePass(const gl::ShaderLibrary& shaders)
     : plain_(shaders, "fullscreen.vert", "composite.frag") {
   for (const LensShape& shape : lens_shapes()) {
     magic_.emplace(shape.name,
-                   Entry{&shape, gl::Program(shaders, "fullscreen.vert", "composite_magic.frag",
+                   Entry{&shape, gl::Program(shaders, "rays.vert", "composite_magic.frag",
                                              shader_definitions(shape))});
   }
 }

@@ -21,8 +21,9 @@ glm::vec2 depth_range_mm(const ViewRays& rays, const VolumeGeometry& geometry) {
   return range;
 }
 
-bool is_in_box(glm::vec3 index, glm::ivec3 size_voxels) {
+bool is_in_box(glm::vec3 in_volume, glm::ivec3 size_voxels) {
   constexpr float kBeside = 1.0F;  // cells
+  const glm::vec3 index = in_volume * glm::vec3(size_voxels) - 0.5F;
   return glm::all(glm::greaterThan(index, glm::vec3(-kBeside))) &&
          glm::all(glm::lessThan(index, glm::vec3(size_voxels - 1) + kBeside));
 }
@@ -34,7 +35,7 @@ EntryKey entry_key(const GpuVolume& volume, const ViewRays& rays,
   const VolumeGeometry& geometry = volume.volume().geometry;
   const glm::vec2 depths = depth_range_mm(rays, geometry);
   const bool is_outside =
-      rays.is_perspective ? !is_in_box(rays.eye_index, geometry.size_voxels) : depths.x > 0.0F;
+      rays.is_perspective ? !is_in_box(rays.eye_in_volume, geometry.size_voxels) : depths.x > 0.0F;
   return {.volume = volume.identity(),
           .rays = rays,
           .bands = bands,
@@ -54,7 +55,7 @@ void EntryPass::run(const EntryKey& key, GpuVolume& volume, const ViewBuffers& b
   program_.use();
   volume.set_uniforms(program_, 0);
   set_view_rays(program_, key.rays);
-  program_.set("volume_origin_mm", glm::vec3(geometry.origin_patient_mm));
+  program_.set("first_centre_mm", glm::vec3(geometry.origin_patient_mm));
   program_.set("block_cells", maps.block_cells);
   program_.set("nearest_mm", static_cast<float>(0.5 * smallest_spacing_mm(geometry)));
   program_.set("farthest_mm", key.farthest_mm);

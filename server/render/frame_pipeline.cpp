@@ -182,31 +182,42 @@ FramePipeline::BranchPicture FramePipeline::resolve(const Draft& draft, BranchIn
 FramePipeline::BranchPicture FramePipeline::filter(const Draft& draft, BranchIndex index,
                                                    const std::vector<Module>& filters,
                                                    BranchPicture picture) {
-  const BranchBuffers& buffers = draft.buffers.branches[index];
   auto& stages = draft.view.branches_[index].filters;
   const std::uint64_t shaded = picture.version;
   while (stages.size() < filters.size()) stages.emplace_back();
   for (std::size_t i = 0; i < filters.size(); ++i) {
     const ColourTarget& target = draft.buffers.filtered(index, i);
     const FilterKey key{picture.version, shaded, filters[i], draft.settings.resolution_scale};
-    picture.version =
-        stages[i].schedule(key, draft.plan,
-                           {.name = filters[i].name,
-                            .region = draft.regions.branches[index],
-                            .begin = [&target] { target.framebuffer.clear({kNothing}); },
-                            .draw =
-                                [this, key, &buffers, &target, input = picture.texture,
-                                 is_cut = index == kContext](const gl::PixelRect& strip) {
-                                  filter_pass_.run(key,
-                                                   {.colour = *input,
-                                                    .silhouette = buffers.silhouette,
-                                                    .surface = buffers.surface,
-                                                    .is_cut = is_cut},
-                                                   target.framebuffer, strip, triangle_);
-                                }});
+    picture.version = stages[i].schedule(key, draft.plan,
+                                         filter_steps(draft, index, key, *picture.texture, target));
     picture.texture = &target.texture;
   }
   return picture;
+}
+
+std::vector<Pass> FramePipeline::filter_steps(const Draft& draft, BranchIndex index,
+                                              const FilterKey& key, const gl::Texture2D& input,
+                                              const ColourTarget& target) {
+  const BranchBuffers& buffers = draft.buffers.branches[index];
+  const FilterSums& sums = draft.buffers.prepare_sums(FilterPass::reach_px(key));
+  const gl::PixelRect region = draft.regions.branches[index];
+  std::vector<Pass> steps;
+  for (int step = 0; step < FilterPass::steps(key.filter); ++step) {
+    steps.push_back({.name = key.filter.name,
+                     .region = FilterPass::region_of_step(key, step, region),
+                     .begin = {},
+                     .draw = [this, key, step, &buffers, &sums, &input, &target,
+                              is_cut = index == kContext](const gl::PixelRect& strip) {
+                       filter_pass_.run(key, step,
+                                        {.colour = input,
+                                         .silhouette = buffers.silhouette,
+                                         .surface = buffers.surface,
+                                         .is_cut = is_cut},
+                                        {target.framebuffer, sums}, strip, triangle_);
+                     }});
+  }
+  steps.back().begin = [&target] { target.framebuffer.clear({kNothing}); };
+  return steps;
 }
 
 std::uint64_t FramePipeline::composite(const Draft& draft, const CompositeKey& key) {

@@ -104,6 +104,8 @@ class FramePipeline {
   BranchPicture resolve(const Draft& draft, BranchIndex index, std::uint64_t layers_version);
   BranchPicture filter(const Draft& draft, BranchIndex index, const std::vector<Module>& filters,
                        BranchPicture picture);
+  std::vector<Pass> filter_steps(const Draft& draft, BranchIndex index, const FilterKey& key,
+                                 const gl::Texture2D& input, const ColourTarget& target);
   std::uint64_t composite(const Draft& draft, const CompositeKey& key);
   void convert(const Draft& draft, const ConvertKey& key);
 

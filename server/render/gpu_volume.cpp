@@ -81,16 +81,20 @@ float GpuVolume::to_stored(double physical_value) const {
 void GpuVolume::set_uniforms(const gl::Program& program, int unit) const {
   const VolumeGeometry& geometry = volume().geometry;
   program.set_texture("volume_texture", unit, texture_.name());
-  program.set("volume_size", geometry.size_voxels);
-  program.set("volume_spacing_mm", glm::vec3(geometry.spacing_mm));
+  const glm::dvec3 size(geometry.size_voxels);
+  program.set("voxel_size", glm::vec3(1.0 / size));
+  program.set("volume_size_mm", glm::vec3(size * geometry.spacing_mm));
   program.set("volume_direction", glm::mat3(geometry.direction_patient));
 }
 
 void GpuVolume::set_empty_space(const gl::Program& program, int unit,
                                 const EmptySpaceMaps& maps) const {
   program.set_texture("distance_maps", unit, maps.distances.name());
-  program.set("brick_size", static_cast<float>(loaded_->min_max.brick_size));
-  program.set("size_bricks", loaded_->min_max.size_bricks);
+  const MinMaxGrid& grid = loaded_->min_max;
+  program.set("map_size", glm::vec3(grid.size_bricks));
+  program.set("bricks_per_volume",
+              glm::vec3(volume().geometry.size_voxels) / static_cast<float>(grid.brick_size));
+  program.set("first_centre_bricks", 0.5F / static_cast<float>(grid.brick_size));
 }
 
 }  // namespace cutaway

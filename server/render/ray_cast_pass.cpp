@@ -11,9 +11,6 @@ namespace cutaway {
 
 namespace {
 
-/// Of the surface's position between two samples; the usual, nearly linear ramp needs two.
-constexpr int kRefinementSteps = 5;
-
 /// Neighbouring rays meet a surface that the lens cuts within about so many voxels of each other.
 constexpr double kRimVoxels = 2.0;
 
@@ -57,9 +54,8 @@ void set_bands(const gl::Program& program, const RayCastKey& key, const GpuVolum
 
 void set_search(const gl::Program& program, const RayCastKey& key, const GpuVolume& volume) {
   const double smallest_mm = smallest_spacing_mm(volume.volume().geometry);
-  program.set("step_mm", static_cast<float>(key.step_voxels * smallest_mm));
+  program.set("ray_step_mm", static_cast<float>(key.step_voxels * smallest_mm));
   program.set("rim_mm", static_cast<float>(kRimVoxels * smallest_mm));
-  program.set("refinement_steps", kRefinementSteps);
   program.set("skip_empty_space", key.skip_empty_space ? 1 : 0);
   set_bands(program, key, volume);
 }
@@ -79,8 +75,8 @@ RayCastPass::RayCastPass(const gl::ShaderLibrary& shaders) {
       auto definitions = shader_definitions(shape);
       definitions["LENS_MODE"] = mode_name(mode);
       programs_.push_back(
-          {&shape, mode, gl::Program(shaders, "fullscreen.vert", "ray_cast.frag", definitions),
-           gl::Program(shaders, "fullscreen.vert", "ray_cast_translucent.frag", definitions)});
+          {&shape, mode, gl::Program(shaders, "ray_cast.vert", "ray_cast.frag", definitions),
+           gl::Program(shaders, "ray_cast.vert", "ray_cast_translucent.frag", definitions)});
     }
   }
 }
@@ -112,7 +108,6 @@ void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, const ViewBuffer
       program, 1, volume.empty_space(key.surfaces[kContext].band, key.surfaces[kFocus].band));
   program.set_texture("entry_texture", 2, buffers.entry.name());
   set_view_rays(program, key.rays);
-  program.set("surface_size_px", buffers.surface_size_px());
   program.set("pixel_size", 2.0F * glm::length(key.rays.view_up) /
                                 static_cast<float>(buffers.picture_size_px().y));
   set_search(program, key, volume);

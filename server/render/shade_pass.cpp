@@ -1,19 +1,31 @@
 #include "render/shade_pass.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 #include "core/check.h"
 #include "render/shading/shading_registry.h"
 
 namespace cutaway {
 
+namespace {
+
+/// Rays a pixel each way: a live frame's and a still's.
+constexpr std::array kSupersamplings = {1, 2};
+
+}  // namespace
+
 ShadePass::ShadePass(const gl::ShaderLibrary& shaders) {
   for (const ShadingModel& model : shading_models()) {
     for (const BranchIndex branch : {kContext, kFocus}) {
-      auto definitions = shader_definitions(model);
-      definitions["BRANCH"] = branch == kContext ? "CONTEXT" : "FOCUS";
-      programs_.push_back(
-          {&model, branch, gl::Program(shaders, "fullscreen.vert", "shade.frag", definitions)});
+      for (const int supersampling : kSupersamplings) {
+        auto definitions = shader_definitions(model);
+        definitions["BRANCH"] = branch == kContext ? "CONTEXT" : "FOCUS";
+        definitions["SUPERSAMPLING"] = std::to_string(supersampling);
+        programs_.push_back({&model, branch, supersampling,
+                             gl::Program(shaders, "rays.vert", "shade.frag", definitions)});
+      }
     }
   }
 }
@@ -22,13 +34,13 @@ void ShadePass::run(const ShadeKey& key, BranchIndex index, const BranchBuffers&
                     const gl::PixelRect& strip, int supersampling,
                     const gl::FullscreenTriangle& triangle) const {
   const ShadingModel& model = find_shading_model(key.look.shading.name);
-  const auto entry = std::ranges::find_if(
-      programs_, [&](const Entry& each) { return each.model == &model && each.branch == index; });
-  check(entry != programs_.end(), "there is a program for each model and branch");
+  const auto entry = std::ranges::find_if(programs_, [&](const Entry& each) {
+    return each.model == &model && each.branch == index && each.supersampling == supersampling;
+  });
+  check(entry != programs_.end(), "there is a program for each model, branch and supersampling");
   const gl::Program& program = entry->program;
   program.use();
   program.set_texture("surface_texture", 0, branch.surface.name());
-  program.set("supersampling", supersampling);
   program.set("light_direction", key.look.light_direction);
   set_view_rays(program, key.rays);
   model.set_parameters(UniformStruct(program, model.name, index), key.look.shading.parameters);

@@ -36,6 +36,7 @@ class ShadePass {
   struct Entry {
     const ShadingModel* model;
     BranchIndex branch;
+    int supersampling;
     gl::Program program;
   };
   std::vector<Entry> programs_;

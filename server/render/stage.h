@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "render/frame_plan.h"
 
@@ -14,14 +15,21 @@ namespace cutaway {
 template <typename Key>
 class Stage {
  public:
-  /// Adds the pass, whose `done` is the stage's to set, to the plan unless the output already
-  /// belongs to `key`. Returns the version that the output has once the plan is done.
-  std::uint64_t schedule(Key key, FramePlan& plan, Pass pass) {
+  /// Adds the passes, of which the last one's `done` is the stage's to set, to the plan unless the
+  /// output already belongs to `key`. Returns the version that the output has once the plan is
+  /// done.
+  std::uint64_t schedule(Key key, FramePlan& plan, std::vector<Pass> passes) {
     if (key_ == key) return runs_;
     key_.reset();  // a plan that is given up leaves no output that could pass for either
-    pass.done = [this, key = std::move(key)] { key_ = key; };
-    plan.add(std::move(pass));
+    passes.back().done = [this, key = std::move(key)] { key_ = key; };
+    for (Pass& pass : passes) plan.add(std::move(pass));
     return ++runs_;
+  }
+
+  std::uint64_t schedule(Key key, FramePlan& plan, Pass pass) {
+    std::vector<Pass> passes;
+    passes.push_back(std::move(pass));
+    return schedule(std::move(key), plan, std::move(passes));
   }
 
   std::uint64_t runs() const { return runs_; }

@@ -13,6 +13,17 @@ ColourTarget colour_target(GLenum format, glm::ivec2 size_px) {
 
 }  // namespace
 
+FilterSums filter_sums(glm::ivec2 picture_size_px, int reach_px) {
+  const glm::ivec2 windows_px = picture_size_px + reach_px;
+  const glm::ivec2 rows_px = windows_px + glm::ivec2(0, reach_px);
+  FilterSums sums{.colour_sums = {GL_RGBA32F, rows_px, gl::Filtering::nearest},
+                  .square_sums = {GL_R32F, rows_px, gl::Filtering::nearest},
+                  .windows = {GL_RGBA32F, windows_px, gl::Filtering::nearest}};
+  sums.rows_target = gl::Framebuffer({&sums.colour_sums, &sums.square_sums});
+  sums.windows_target = gl::Framebuffer({&sums.windows});
+  return sums;
+}
+
 ViewBuffers::ViewBuffers(glm::ivec2 picture_size_px, int supersampling)
     : picture_size_px_(picture_size_px), supersampling_(supersampling) {
   for (BranchBuffers& branch : branches) {
@@ -49,13 +60,22 @@ ColourTarget& ViewBuffers::filtered(BranchIndex branch, std::size_t index) {
 
 std::uint64_t ViewBuffers::bytes() const {
   std::uint64_t sum = picture.texture.bytes() + entry.bytes() + entry_depth.bytes() +
-                      luma.texture.bytes() + cb.bytes() + cr.bytes();
+                      luma.texture.bytes() + cb.bytes() + cr.bytes() + sums_.colour_sums.bytes() +
+                      sums_.square_sums.bytes() + sums_.windows.bytes();
   for (const BranchBuffers& branch : branches) {
     sum += branch.surface.bytes() + branch.layers.bytes() + branch.shaded.bytes() +
            branch.silhouette.bytes();
     for (const ColourTarget& target : branch.filtered) sum += target.texture.bytes();
   }
   return sum;
+}
+
+const FilterSums& ViewBuffers::prepare_sums(int reach_px) {
+  if (reach_px > sums_reach_px_) {
+    sums_ = filter_sums(picture_size_px_, reach_px);
+    sums_reach_px_ = reach_px;
+  }
+  return sums_;
 }
 
 void ViewBuffers::prepare_layers() {

@@ -21,6 +21,22 @@ struct ColourTarget {
   gl::Framebuffer framebuffer;
 };
 
+/// What a filter of several steps hands from one to the next, larger than the picture by its reach.
+/// Filters run one after the other, so they share it.
+struct FilterSums {
+  gl::Texture2D colour_sums;  ///< RGBA32F, drawn by a filter's first step
+  gl::Texture2D square_sums;  ///< R32F, likewise
+  gl::Texture2D windows;      ///< RGBA32F, by its second
+  gl::Framebuffer rows_target;
+  gl::Framebuffer windows_target;
+
+  const gl::Framebuffer& target_of_step(int step) const {
+    return step == 0 ? rows_target : windows_target;
+  }
+};
+
+FilterSums filter_sums(glm::ivec2 picture_size_px, int reach_px);
+
 struct BranchBuffers {
   gl::Texture2D surface;     ///< RGBA32F, see shaders/branches.glsl
   gl::Texture2D layers;      ///< RGBA32F, of translucent material: premultiplied colour, opacity
@@ -48,6 +64,8 @@ class ViewBuffers {
 
   /// Makes sure that each branch has a target for its filter number `index`.
   ColourTarget& filtered(BranchIndex branch, std::size_t index);
+  /// Makes sure that the sums reach that far beyond the picture; 0: nobody needs them.
+  const FilterSums& prepare_sums(int reach_px);
   /// Makes sure that both branches' layers and their target exist.
   void prepare_layers();
   /// Makes sure that the planes of `layout` exist.
@@ -68,6 +86,8 @@ class ViewBuffers {
  private:
   glm::ivec2 picture_size_px_;
   int supersampling_;
+  FilterSums sums_;
+  int sums_reach_px_ = 0;
 };
 
 }  // namespace cutaway

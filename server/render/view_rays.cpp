@@ -1,11 +1,24 @@
 #include "render/view_rays.h"
 
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "scene/view_geometry.h"
 
 namespace cutaway {
+
+namespace {
+
+/// To texture coordinates, of which voxel centres lie at (index + 1/2) / size.
+glm::dmat4 patient_to_volume(const VolumeGeometry& geometry) {
+  const glm::dvec3 voxel_size = 1.0 / glm::dvec3(geometry.size_voxels);
+  const glm::dmat4 to_volume =
+      glm::translate(glm::scale(glm::dmat4(1.0), voxel_size), glm::dvec3(0.5));
+  return to_volume * patient_to_index(geometry);
+}
+
+}  // namespace
 
 ViewRays view_rays(const Camera& camera, Viewport viewport, const VolumeGeometry& geometry) {
   const CameraAxes axes = camera_axes(camera);
@@ -13,14 +26,14 @@ ViewRays view_rays(const Camera& camera, Viewport viewport, const VolumeGeometry
   const double half_height = perspective ? std::tan(glm::radians(camera.vertical_fov_degrees) / 2.0)
                                          : camera.view_height_mm / 2.0;
   const double aspect = static_cast<double>(viewport.width_px) / viewport.height_px;
-  const glm::dmat4 to_index = patient_to_index(geometry);
+  const glm::dmat4 to_volume = patient_to_volume(geometry);
   return {.eye_mm = camera.eye_mm,
           .view_forward = -axes.backward,
           .view_right = axes.right * (half_height * aspect),
           .view_up = axes.up * half_height,
           .is_perspective = perspective,
-          .patient_to_index = glm::mat3(to_index),
-          .eye_index = glm::vec3(to_index * glm::dvec4(camera.eye_mm, 1.0))};
+          .patient_to_volume = glm::mat3(to_volume),
+          .eye_in_volume = glm::vec3(to_volume * glm::dvec4(camera.eye_mm, 1.0))};
 }
 
 void set_view_rays(const gl::Program& program, const ViewRays& rays) {
@@ -29,8 +42,8 @@ void set_view_rays(const gl::Program& program, const ViewRays& rays) {
   program.set("view_right", rays.view_right);
   program.set("view_up", rays.view_up);
   program.set("is_perspective", rays.is_perspective ? 1 : 0);
-  program.set("patient_to_index", rays.patient_to_index);
-  program.set("eye_index", rays.eye_index);
+  program.set("patient_to_volume", rays.patient_to_volume);
+  program.set("eye_in_volume", rays.eye_in_volume);
 }
 
 }  // namespace cutaway

@@ -9,15 +9,16 @@
 
 namespace cutaway {
 
-/// The uniforms of shaders/view_ray.glsl. Computed in double, patient mm and continuous indices.
+/// The uniforms of shaders/view.glsl. Computed in double, patient mm and the volume's texture
+/// coordinates.
 struct ViewRays {
   glm::vec3 eye_mm;
   glm::vec3 view_forward;
   glm::vec3 view_right;
   glm::vec3 view_up;
   bool is_perspective;
-  glm::mat3 patient_to_index;
-  glm::vec3 eye_index;
+  glm::mat3 patient_to_volume;
+  glm::vec3 eye_in_volume;
   bool operator==(const ViewRays&) const = default;
 };
 

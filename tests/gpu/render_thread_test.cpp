@@ -26,7 +26,7 @@ class RenderThreads : public testing::Test {
 
   RenderThreads()
       : volume_(load(shells_volume(centred_geometry(64)))),
-        thread_({}, {.volume_bytes = kVolumeBytes, .step = 4000}) {}
+        thread_({}, {.volume_bytes = kVolumeBytes, .step = 6000}) {}
 
   RenderRequest request(std::uint64_t view, glm::dvec3 background = glm::dvec3(0.0)) {
     const Scene scene =

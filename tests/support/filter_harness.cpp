@@ -55,8 +55,12 @@ BranchImage filtered_on_gpu(const BranchImage& input, const Module& filter) {
     return glm::vec4(length * p.normal, p.coverage > 0.0 ? p.depth_mm : -1.0);
   });
   glTextureSubImage2D(surface.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, surfaces.data());
-  pass.run({.filter = filter}, {colour, silhouette, surface, true}, target, {{0, 0}, size},
-           triangle);
+  const FilterKey key{.filter = filter};
+  const gl::PixelRect whole{{0, 0}, size};
+  const FilterSums sums = filter_sums(size, FilterPass::reach_px(key));
+  for (int step = 0; step < FilterPass::steps(filter); ++step)
+    pass.run(key, step, {colour, silhouette, surface, true}, {target, sums},
+             FilterPass::region_of_step(key, step, whole), triangle);
   std::vector<glm::vec4> result(input.pixels.size());
   glGetTextureImage(output.name(), 0, GL_RGBA, GL_FLOAT,
                     static_cast<GLsizei>(result.size() * sizeof(glm::vec4)), result.data());

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "gl/framebuffer.h"
 #include "render/filters/image_filter.h"
+#include "render/view_buffers.h"
 #include "scene/scene.h"
 
 namespace cutaway {
@@ -25,16 +27,28 @@ struct FilterInput {
   bool is_cut = false;  ///< the branch is the one that the cutaway's lens cuts: the context
 };
 
+/// Where it draws.
+struct FilterTarget {
+  const gl::Framebuffer& picture;
+  const FilterSums& sums;  ///< large enough for the filter's reach
+};
+
 class FilterPass {
  public:
   explicit FilterPass(const gl::ShaderLibrary& shaders);
-  void run(const FilterKey& key, const FilterInput& input, const gl::Framebuffer& target,
+
+  /// How many steps the filter has, and what each draws where its picture's `region` is asked for.
+  static int steps(const Module& filter);
+  static int reach_px(const FilterKey& key);
+  static gl::PixelRect region_of_step(const FilterKey& key, int step, const gl::PixelRect& region);
+
+  void run(const FilterKey& key, int step, const FilterInput& input, const FilterTarget& target,
            const gl::PixelRect& strip, const gl::FullscreenTriangle& triangle) const;
 
  private:
   struct Entry {
     const ImageFilter* filter;
-    gl::Program program;
+    std::vector<gl::Program> steps;
   };
   std::map<std::string, Entry, std::less<>> programs_;
 };

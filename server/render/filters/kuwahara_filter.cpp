@@ -1,5 +1,6 @@
 // See shaders/filter_kuwahara.frag.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/filters/image_filter.h"
@@ -15,12 +16,19 @@ int radius_in_picture(int radius_px, double resolution_scale) {
   return std::max(1, static_cast<int>(std::lround(radius_px * resolution_scale)));
 }
 
-void set_parameters(const gl::Program& program, const Json& parameters, double resolution_scale) {
-  program.set("radius_px", radius_in_picture(parameters.at("radius").get<int>(), resolution_scale));
+int reach_px(const Json& parameters, double resolution_scale) {
+  return radius_in_picture(parameters.at("radius").get<int>(), resolution_scale);
 }
+
+void set_parameters(const gl::Program& program, const Json& parameters, double resolution_scale) {
+  program.set("radius_px", reach_px(parameters, resolution_scale));
+}
+
+constexpr std::array kShaders = {"filter_kuwahara_rows.frag", "filter_kuwahara_windows.frag",
+                                 "filter_kuwahara.frag"};
 
 }  // namespace
 
-extern const ImageFilter kKuwaharaFilter{"kuwahara", "filter_kuwahara.frag", set_parameters};
+extern const ImageFilter kKuwaharaFilter{"kuwahara", kShaders, set_parameters, reach_px};
 
 }  // namespace cutaway

@@ -32,8 +32,12 @@ void set_parameters(const gl::Program& program, const Json& parameters, double) 
   program.set("euclidean", is_choice(parameters, "gradient", "l2") ? 1 : 0);
 }
 
+int reach_px(const Json&, double) { return 0; }
+
+constexpr std::array kShaders = {"filter_sobel.frag"};
+
 }  // namespace
 
-extern const ImageFilter kSobelFilter{"sobel", "filter_sobel.frag", set_parameters};
+extern const ImageFilter kSobelFilter{"sobel", kShaders, set_parameters, reach_px};
 
 }  // namespace cutaway

@@ -1,6 +1,6 @@
 #version 450 core
 // How far along its ray a face is met.
-#include "view_ray.glsl"
+#include "view.glsl"
 
 in vec3 position_mm;
 

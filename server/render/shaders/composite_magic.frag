@@ -4,7 +4,7 @@
 // Paradigm: E. Bier et al., "Toolglass and Magic Lenses: The See-Through Interface", SIGGRAPH 1993; in three dimensions
 // J. Viega et al., "3D Magic Lenses", UIST 1996.
 
-#include "view_ray.glsl"
+#include "pixel_ray.glsl"
 #include LENS_SHAPE
 
 uniform sampler2D context_colour;
@@ -25,7 +25,7 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 context = texelFetch(context_colour, pixel, 0);
   vec4 focus = texelFetch(focus_colour, pixel, 0);
-  Ray ray = view_ray(gl_FragCoord.xy, vec2(textureSize(context_colour, 0)));
+  Ray ray = pixel_ray();
   float weight = focus_weight(lens_offset(ray.origin_mm, ray.direction));
   vec3 without_lens = mix(background_colour, context.rgb, context.a);
   vec3 behind_focus = lens_strict ? background_colour : without_lens;

@@ -2,23 +2,30 @@
 // that reaches the iso-value lets a sample skip to the exit of the cube of 2D-1 bricks around it.
 // Source: Deakin and Knackstedt, "Accelerated Volume Rendering with Chebyshev Distance Maps", SIGGRAPH Asia 2019.
 
-uniform usampler3D distance_maps;     // a component for each branch
-uniform float brick_size;             // cells
-uniform ivec3 size_bricks;
+uniform usampler3D distance_maps;  // a component for each branch
 uniform bool skip_empty_space;
 
-int brick_distance(int branch, ivec3 brick) {
-  uvec2 distances = texelFetch(distance_maps, brick, 0).rg;
-  return int(branch == FOCUS ? distances.y : distances.x);
+// A ray among the bricks. What it needs again and again is worked out once: divisions are dear in software.
+struct BrickRay {
+  vec3 origin;    // bricks
+  vec3 per_mm;    // bricks
+  vec3 mm_per;    // of a brick
+  vec3 way;       // 1 where the ray goes up, else -1
+  vec3 far_side;  // of a brick: 0 where the ray goes up, else 1
+};
+
+BrickRay brick_ray() {
+  vec3 per_mm = away_from_zero(in_bricks.toward * inversesqrt(dot(toward_mm, toward_mm)));
+  vec3 way = sign(per_mm);
+  return BrickRay(in_bricks.from, per_mm, 1.0 / per_mm, way, 0.5 - 0.5 * way);
 }
 
-// Distance along the ray (mm) up to which nothing can be hit, from the sample at `index`; 0 where it must be looked at.
-float empty_until_mm(int branch, vec3 index, Ray ray) {
-  ivec3 brick = clamp(ivec3(floor(index / brick_size)), ivec3(0), size_bricks - 1);
-  int reach = brick_distance(branch, brick);
-  if (reach == 0) return 0.0;
-  vec3 low = vec3(brick - (reach - 1)) * brick_size;
-  vec3 high = vec3(brick + reach) * brick_size;
-  vec3 exits = (mix(low, high, greaterThan(ray.index_per_mm, vec3(0.0))) - ray.origin_index) / ray.index_per_mm;
+// Distance along the ray (mm) up to which nothing can be hit from `at_mm` on; not beyond it where the sample there must be
+// looked at.
+float empty_until_mm(int branch, BrickRay ray, float at_mm) {
+  vec3 brick = floor(ray.origin + at_mm * ray.per_mm);
+  uvec2 distances = textureLod(distance_maps, (brick + 0.5) * all_rays.brick_in_map, 0.0).rg;
+  float reach = float(branch == FOCUS ? distances.y : distances.x);
+  vec3 exits = (brick + ray.far_side + reach * ray.way - ray.origin) * ray.mm_per;
   return min(min(exits.x, exits.y), exits.z);
 }

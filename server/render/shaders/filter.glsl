@@ -5,8 +5,6 @@ uniform sampler2D silhouette_texture;  // coverage as if no lens had taken anyth
 uniform sampler2D surface_texture;     // see branches.glsl; one or more texels a pixel
 uniform bool is_cut;                   // the branch may be seen through the cutaway's lens
 
-layout(location = 0) out vec4 filtered;
-
 const vec3 LUMA_WEIGHTS = vec3(0.2126, 0.7152, 0.0722);  // Rec. 709, on display-encoded values
 
 float brightness(vec3 colour) { return dot(colour, LUMA_WEIGHTS); }

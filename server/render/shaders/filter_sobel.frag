@@ -6,6 +6,8 @@
 #include "branches.glsl"
 #include "filter.glsl"
 
+layout(location = 0) out vec4 filtered;
+
 uniform float strength;
 uniform int mode;
 uniform int source;

@@ -1,5 +1,7 @@
 // How the cutaway divides a ray: outside of the lens only the context exists, inside only the focus.
 
+#include "view.glsl"
+
 uniform bool flat_caps;   // material cut by the lens shows a face of the lens; else the gradient's normal
 uniform bool open_caps;   // material cut by the lens shows nothing: its surface must be entered
 uniform float rim_mm;     // how far beyond the lens focus is looked for that the lens has cut off, at the least
@@ -24,6 +26,7 @@ const int BEHIND_LENS = 2;
 
 struct Stretch {
   int branch;
+  vec2 band;  // see band_of
   float begin_mm;
   float end_mm;      // not behind begin_mm: the ray has no such part
   bool starts_open;  // the material at the begin does not count; its surface must be entered first
@@ -33,6 +36,7 @@ struct Stretch {
 Stretch stretch_of(Course course, int part) {
   Stretch stretch;
   stretch.branch = part == IN_LENS ? FOCUS : CONTEXT;
+  stretch.band = band_of(stretch.branch);
   stretch.begin_mm = part == BEFORE_LENS ? course.volume_mm.x : part == IN_LENS ? course.lens_mm.x : course.lens_mm.y;
   stretch.end_mm = part == BEFORE_LENS ? course.lens_mm.x : part == IN_LENS ? course.lens_mm.y : course.volume_mm.y;
   stretch.starts_open = stretch.begin_mm > course.volume_mm.x ? open_caps : course.volume_mm.x == 0.0;
@@ -59,10 +63,10 @@ Course course_of(Ray ray, vec2 volume_mm) {
 
 // The face of the volume's box through which the ray came in: tissue that the box cuts gets a flat face.
 vec3 box_face(Ray ray, float distance_mm) {
-  vec3 index = index_along(ray, distance_mm);
-  vec3 to_face = min(abs(index), abs(last_index() - index));
+  vec3 position = position_along(ray, distance_mm);
+  vec3 to_face = min(abs(position - first_centre()), abs(last_centre() - position)) / all_rays.voxel_size;
   vec3 face = vec3(lessThanEqual(to_face, min(to_face.yzx, to_face.zxy)));
-  return normalize(volume_direction * (face * -sign(ray.index_per_mm)));
+  return normalize(all_rays.axes * (face * -sign(ray.volume_per_mm)));
 }
 
 // The face that the lens cuts into material at a distance along the ray, seen from the viewer's side.
@@ -74,7 +78,10 @@ vec3 lens_face(Ray ray, float distance_mm) {
 
 // Normal of the cut where a stretch starts in material; zero: the gradient's.
 vec3 face_at_begin(Ray ray, Course course, float begin_mm) {
-  return begin_mm > course.volume_mm.x ? lens_face(ray, begin_mm) : box_face(ray, begin_mm);
+#if LENS_MODE == LENS_CUTAWAY
+  if (begin_mm > course.volume_mm.x) return lens_face(ray, begin_mm);
+#endif
+  return box_face(ray, begin_mm);
 }
 
 // How much deeper the lens' surface lies two pixels away, at the most: towards its rim that grows without bound. A surface
@@ -90,13 +97,14 @@ float rim_depth_mm(Course course) {
 // there, and its end is no outline of the anatomy.
 bool is_cut_off(Ray ray, Course course, bool is_asked) {
   const int SAMPLES = 8;
+  vec2 band = band_of(FOCUS);
   float step_outside_mm = rim_depth_mm(course) / float(SAMPLES);
   bool found = false;
   for (int i = 1; i <= SAMPLES && is_asked && !found; ++i) {
     float behind_mm = course.lens_mm.y + float(i) * step_outside_mm;
     float before_mm = course.lens_mm.x - float(i) * step_outside_mm;
-    found = (behind_mm < course.volume_mm.y && band_side(FOCUS, value_along(ray, behind_mm)) == IN_BAND) ||
-            (before_mm > course.volume_mm.x && band_side(FOCUS, value_along(ray, before_mm)) == IN_BAND);
+    found = (behind_mm < course.volume_mm.y && band_side(band, value_along(ray, behind_mm)) == IN_BAND) ||
+            (before_mm > course.volume_mm.x && band_side(band, value_along(ray, before_mm)) == IN_BAND);
   }
   return found;
 }

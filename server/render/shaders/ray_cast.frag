@@ -3,15 +3,15 @@
 // meets holds the pixel, so the two surface buffers never overlap; under the Magic Lens each branch has the whole ray.
 
 #include "branches.glsl"
-#include "view_ray.glsl"
-#include "volume.glsl"
+#include "pixel_ray.glsl"
+#define HANDED in
+#include "all_rays.glsl"
+#include "volume_along_rays.glsl"
 #include "empty_space.glsl"
 #include "bands.glsl"
 #include LENS_SHAPE
 #include "lens_cut.glsl"
 #include "surface_search.glsl"
-
-uniform ivec2 surface_size_px;
 
 layout(location = 0) out vec4 context_surface;
 layout(location = 1) out vec4 focus_surface;
@@ -50,8 +50,8 @@ void cast_context(Ray ray, vec2 volume_mm) {
 }
 
 void main() {
-  Ray ray = view_ray(gl_FragCoord.xy, vec2(surface_size_px));
-  vec2 volume_mm = intersect_volume(ray.origin_index, ray.index_per_mm);
+  Ray ray = pixel_ray();
+  vec2 volume_mm = intersect_volume(ray);
 #if LENS_MODE == LENS_CUTAWAY
   cast_cutaway(ray, volume_mm);
 #elif LENS_MODE == LENS_MAGIC

@@ -3,8 +3,10 @@
 // opacities and what is left for the background add up to one. An opaque branch is met at its surface, as in ray_cast.frag.
 
 #include "branches.glsl"
-#include "view_ray.glsl"
-#include "volume.glsl"
+#include "pixel_ray.glsl"
+#define HANDED in
+#include "all_rays.glsl"
+#include "volume_along_rays.glsl"
 #include "empty_space.glsl"
 #include "bands.glsl"
 #include LENS_SHAPE
@@ -12,8 +14,6 @@
 #include "surface_search.glsl"
 #include "translucent_band.glsl"
 #include "shade.glsl"
-
-uniform ivec2 surface_size_px;
 
 layout(location = 0) out vec4 context_surface;
 layout(location = 1) out vec4 focus_surface;
@@ -40,32 +40,33 @@ void add_opaque(Ray ray, Course course, int part, inout float transmittance, ino
 }
 
 void add_translucent(Ray ray, Course course, Stretch stretch, inout float transmittance, inout Layers layers) {
+  BrickRay bricks = brick_ray();
   float near_mm = stretch.begin_mm;
   float near_value = value_along(ray, near_mm);
-  int number = sample_after(course, near_mm);
-  int before_entry = skip_empty_space ? sample_before_entry(course) : -1;
+  float number = sample_after(course, near_mm);
+  float before_entry = skip_empty_space ? sample_before_entry(course) : -1.0;
   if (before_entry > number) {
-    number = before_entry + 1;
+    number = before_entry + 1.0;
     near_mm = min(sample_mm(course, before_entry), stretch.end_mm);
     near_value = value_along(ray, near_mm);
   }
   while (near_mm < stretch.end_mm && transmittance > LEAST_TRANSMITTANCE) {
     float far_mm = min(sample_mm(course, number), stretch.end_mm);
     float far_value = value_along(ray, far_mm);
-    vec2 inside = share_in_band(stretch.branch, near_value, far_value);
+    vec2 inside = share_in_band(stretch.band, near_value, far_value);
     if (inside.y > inside.x) {
       float length_mm = (inside.y - inside.x) * (far_mm - near_mm);
       float middle_mm = mix(near_mm, far_mm, 0.5 * (inside.x + inside.y));
-      vec3 normal = normal_towards_viewer(index_along(ray, middle_mm), ray.direction, true);
+      vec3 normal = normal_towards_viewer(position_along(ray, middle_mm), ray.direction, true);
       add_layer(ray, stretch.branch, middle_mm, normal, opacity_over(stretch.branch, length_mm), transmittance, layers);
     }
     near_mm = far_mm;
     near_value = far_value;
     ++number;
-    float empty_mm = skip_empty_space ? empty_until_mm(stretch.branch, index_along(ray, far_mm), ray) : 0.0;
+    float empty_mm = skip_empty_space ? empty_until_mm(stretch.branch, bricks, far_mm) : 0.0;
     if (empty_mm > near_mm) {
       number = max(number, sample_after(course, empty_mm));
-      near_mm = min(max(near_mm, sample_mm(course, number - 1)), stretch.end_mm);
+      near_mm = min(max(near_mm, sample_mm(course, number - 1.0)), stretch.end_mm);
       near_value = value_along(ray, near_mm);
     }
   }
@@ -108,8 +109,8 @@ void cast_magic(Ray ray, vec2 volume_mm, inout Layers context, inout Layers focu
 void main() {
   Layers context = Layers(vec4(0.0), vec4(0.0, 0.0, 0.0, REASON_LEFT_VOLUME));
   Layers focus = context;
-  Ray ray = view_ray(gl_FragCoord.xy, vec2(surface_size_px));
-  vec2 volume_mm = intersect_volume(ray.origin_index, ray.index_per_mm);
+  Ray ray = pixel_ray();
+  vec2 volume_mm = intersect_volume(ray);
   if (volume_mm.y > volume_mm.x) {
 #if LENS_MODE == LENS_MAGIC
     cast_magic(ray, volume_mm, context, focus);

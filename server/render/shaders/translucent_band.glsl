@@ -7,11 +7,11 @@ const float LEAST_TRANSMITTANCE = 0.002;
 
 // The part of the way between two samples (0..1) along which a value that changes linearly lies in the band; empty where
 // it never does. So no band is too thin for the step.
-vec2 share_in_band(int branch, float near_value, float far_value) {
+vec2 share_in_band(vec2 band, float near_value, float far_value) {
   float rise = far_value - near_value;
-  if (abs(rise) < 1e-9) return vec2(0.0, band_side(branch, near_value) == IN_BAND ? 1.0 : 0.0);
-  float at_lower = (lower_limits[branch] - near_value) / rise;
-  float at_upper = (upper_limits[branch] - near_value) / rise;
+  if (abs(rise) < 1e-9) return vec2(0.0, band_side(band, near_value) == IN_BAND ? 1.0 : 0.0);
+  float at_lower = (band.x - near_value) / rise;
+  float at_upper = (band.y - near_value) / rise;
   return clamp(vec2(min(at_lower, at_upper), max(at_lower, at_upper)), 0.0, 1.0);
 }
 

@@ -1,0 +1,19 @@
+// What is the same for all rays. The vertex shader hands it on: a software rasteriser reads a uniform lane by lane, again
+// for each eight pixels, and a flat input once. HANDED is `out` in the vertex shader, `in` in the fragment shader.
+
+HANDED AllRays {
+  flat vec3 voxel_size;        // of one voxel, in texture coordinates
+  flat vec3 size_mm;           // of the volume
+  flat mat3 axes;              // columns: the i, j, k axes in patient space
+  flat vec2 context_band;      // lower and upper limit, stored units; NO_UPPER_LIMIT: larger than any value
+  flat vec2 focus_band;
+  flat float step_mm;
+  flat float samples_per_mm;
+  flat vec3 brick_in_map;      // a brick's size, in texture coordinates of the distance maps
+} all_rays;
+
+// The ray in bricks.
+HANDED BrickRays {
+  noperspective vec3 from;
+  noperspective vec3 toward;
+} in_bricks;

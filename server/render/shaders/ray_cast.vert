@@ -1,0 +1,26 @@
+#version 450 core
+#define HANDED out
+#include "corner_rays.glsl"
+#include "volume.glsl"
+#include "all_rays.glsl"
+
+uniform vec2 lower_limits;          // stored units, by branch
+uniform vec2 upper_limits;
+uniform float ray_step_mm;
+uniform vec3 map_size;              // bricks
+uniform vec3 bricks_per_volume;     // from texture coordinates of the volume to bricks
+uniform float first_centre_bricks;  // the middle of the first voxel, where the first brick begins
+
+void main() {
+  put_corner();
+  in_bricks.from = from_in_volume * bricks_per_volume - first_centre_bricks;
+  in_bricks.toward = toward_in_volume * bricks_per_volume;
+  all_rays.voxel_size = voxel_size;
+  all_rays.size_mm = volume_size_mm;
+  all_rays.axes = volume_direction;
+  all_rays.context_band = vec2(lower_limits.x, upper_limits.x);
+  all_rays.focus_band = vec2(lower_limits.y, upper_limits.y);
+  all_rays.step_mm = ray_step_mm;
+  all_rays.samples_per_mm = 1.0 / ray_step_mm;
+  all_rays.brick_in_map = 1.0 / map_size;
+}

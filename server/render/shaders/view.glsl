@@ -1,0 +1,9 @@
+// The camera, in patient space (mm) and in the volume's texture coordinates.
+
+uniform vec3 eye_mm;             // perspective: where rays start; orthographic: the middle of the plane they start on
+uniform vec3 view_forward;       // unit
+uniform vec3 view_right;         // to the right edge: perspective per unit of forward, orthographic in mm
+uniform vec3 view_up;            // to the upper edge, likewise
+uniform bool is_perspective;
+uniform mat3 patient_to_volume;  // linear part, texture coordinates per mm
+uniform vec3 eye_in_volume;
