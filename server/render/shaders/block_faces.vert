@@ -1,5 +1,5 @@
 #version 450 core
-// The corners of the blocks' faces, as the view sees them. Row 0 is the upper row, as for rays (view_ray.glsl).
+// The corners of the blocks' faces, as the view sees them. Row 0 is the upper row, as for rays (corner_rays.glsl).
 #include "view.glsl"
 #include "volume.glsl"
 
