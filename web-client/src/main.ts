@@ -3,6 +3,7 @@ import './styles/theme.css';
 import './icons/register.ts';
 import { CutawayApp } from './components/app.ts';
 import { isPhone } from './components/phone.ts';
+import { listenToKeys } from './interaction/keyboard.ts';
 import { observeHeldPointer } from './interaction/held_pointer.ts';
 import { keepSceneInAddress } from './session/address_bar.ts';
 import { openViewerSession } from './session/viewer_session.ts';
@@ -29,6 +30,7 @@ const storage = new PreferenceStore(() => localStorage);
 const fault = keepPreferences(session, storage, { ...DEFAULT_PREFERENCES, panel_open: !isPhone() });
 keepLook(session, document, matchMedia('(prefers-color-scheme: light)'));
 keepSceneInAddress(session);
+listenToKeys(window, session.commands);
 observeHeldPointer((pointer_held) => session.store.update({ pointer_held }));
 
 await keepSpeaking(session, document.documentElement, navigator.languages);

@@ -77,7 +77,12 @@ export class AdjustTab extends SessionElement {
       capabilities.modules.shading,
       scene,
     );
-    return html`<cutaway-section heading=${heading} hint=${hint} ?open=${branch === 'focus'}>
+    return html`<cutaway-section
+      heading=${heading}
+      hint=${hint}
+      ?open=${branch === 'focus'}
+      .reset=${() => this.session.commands.resetGroup(branch)}
+    >
       ${this.band(bandModel(branch, scene, volume), volume, heading)}
       ${this.field(shading.choice, heading)}
       <cutaway-module-fields
@@ -110,7 +115,10 @@ export class AdjustTab extends SessionElement {
   private light({ scene }: Known) {
     const { light, light_and_background } = words().panel.adjust;
     const frame = sceneChoiceControl('light.frame', words().controls.light_turns_with, scene);
-    return html`<cutaway-section heading=${light_and_background}>
+    return html`<cutaway-section
+      heading=${light_and_background}
+      .reset=${() => this.session.commands.resetGroup('light')}
+    >
       ${this.field(frame, light)}
       ${lightControls(scene).map((control) => this.field(control, light))}
       ${this.field(backgroundControl(scene), '')}

@@ -24,6 +24,7 @@ export class CutawayApp extends SessionElement {
     'preferences',
     'address_current',
     'lens_follows',
+    'comparing',
   ] as const;
 
   @property({ attribute: false }) canvas!: HTMLCanvasElement;
@@ -116,12 +117,13 @@ export class CutawayApp extends SessionElement {
   }
 
   private announcement(): string {
-    const { link, loading, volume, lens_follows, awaits_volume } = this.state;
+    const { link, loading, volume, lens_follows, awaits_volume, comparing } = this.state;
     const texts = words().page;
     if (link.phase === 'waiting') return texts.disconnected(linkReason(link));
     if (link.phase === 'queued') return texts.queue(link.place);
     if (loading) return texts.opening(texts.stages[loading.stage]);
     if (awaits_volume) return texts.looking_for_volumes;
+    if (comparing) return texts.comparing;
     if (lens_follows) return texts.lens_follows;
     return volume ? texts.showing(volume.title) : '';
   }

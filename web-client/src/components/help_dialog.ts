@@ -1,16 +1,10 @@
 // Gestures and keys.
 import { css, html } from 'lit';
 import { customElement, query } from 'lit/decorators.js';
-import { KEY_BINDINGS } from '../interaction/keyboard.ts';
 import { shared } from '../styles/shared.ts';
+import { keyList } from './key_list.ts';
 import { SessionElement } from './session_element.ts';
 import { words } from '../words/words.ts';
-
-/** 'Shift + ←' as the keyboards of the page's language have it. */
-function keyCaps(keys: string): string {
-  const caps: Readonly<Record<string, string>> = words().keys.caps;
-  return keys.replaceAll(/\p{L}+/gu, (name) => caps[name] ?? name);
-}
 
 @customElement('cutaway-help-dialog')
 export class HelpDialog extends SessionElement {
@@ -52,6 +46,11 @@ export class HelpDialog extends SessionElement {
         color: var(--text-quiet);
         font-size: 12px;
         font-weight: 500;
+      }
+      h4 {
+        margin: 10px 0 2px;
+        font-size: 13px;
+        font-weight: 600;
       }
       dl {
         display: grid;
@@ -104,9 +103,7 @@ export class HelpDialog extends SessionElement {
         <h3>${keys.gestures_heading}</h3>
         <dl>${Object.values(keys.gestures).map(([what, meaning]) => row(what, meaning))}</dl>
         <h3>${keys.keys_heading}</h3>
-        <dl>
-          ${KEY_BINDINGS.map((binding) => row(keyCaps(binding.keys), keys.meanings[binding.meaning]))}
-        </dl>
+        ${keyList()}
         <p class="quiet small about">
           ${keys.about(notice.replace(/\.?$/, '.'))} ${this.state.capabilities?.server ?? ''}
         </p>

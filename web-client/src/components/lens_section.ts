@@ -20,12 +20,14 @@ export class LensSection extends SessionElement {
 
   static override styles = shared;
 
+  private readonly reset = (): void => this.session.commands.resetGroup('lens');
+
   private readonly change = (patch: JsonObject): void => this.session.commands.change(patch);
 
   override render() {
     const { capabilities, scene, volume } = this.state;
     if (!capabilities || !scene || !volume) return nothing;
-    return html`<cutaway-section heading=${words().panel.adjust.lens} open>
+    return html`<cutaway-section heading=${words().panel.adjust.lens} open .reset=${this.reset}>
       ${this.field(sceneChoiceControl('lens.mode', words().controls.mode, scene))}
       ${scene.lens?.mode === 'none' ? nothing : this.details(capabilities, scene, volume)}
     </cutaway-section>`;

@@ -1,6 +1,7 @@
 // A foldable part of the panel.
-import { css, html, LitElement } from 'lit';
+import { css, html, LitElement, nothing } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
+import { words } from '../words/words.ts';
 import { shared } from '../styles/shared.ts';
 
 @customElement('cutaway-section')
@@ -8,11 +9,14 @@ export class PanelSection extends LitElement {
   @property() heading = '';
   @property() hint = '';
   @property({ type: Boolean }) open = false;
+  /** Puts the part back; without it there is no button for that. */
+  @property({ attribute: false }) reset: (() => void) | undefined;
 
   static override styles = [
     shared,
     css`
       :host {
+        position: relative;
         display: block;
         border-bottom: 1px solid var(--line);
       }
@@ -40,6 +44,19 @@ export class PanelSection extends LitElement {
         font-size: 14px;
         font-weight: 600;
       }
+      .reset {
+        position: absolute;
+        top: 4px;
+        right: 30px;
+      }
+      details:not([open]) + .reset {
+        display: none;
+      }
+      @media (pointer: coarse) {
+        .reset {
+          top: 0;
+        }
+      }
       .body {
         display: grid;
         gap: 10px;
@@ -50,12 +67,27 @@ export class PanelSection extends LitElement {
 
   override render() {
     return html`<details ?open=${this.open}>
-      <summary>
-        <h2>${this.heading}</h2>
-        <span class="quiet small">${this.hint}</span>
-        <wa-icon name="down"></wa-icon>
-      </summary>
-      <div class="body"><slot></slot></div>
-    </details>`;
+        <summary>
+          <h2>${this.heading}</h2>
+          <span class="quiet small">${this.hint}</span>
+          <wa-icon name="down"></wa-icon>
+        </summary>
+        <div class="body"><slot></slot></div>
+      </details>
+      ${this.resetButton()}`;
+  }
+
+  /** Beside the heading rather than in it: a control within a control cannot be reached. */
+  private resetButton() {
+    if (!this.reset) return nothing;
+    const label = words().panel.reset(this.heading);
+    return html`<button
+      class="icon-button reset"
+      aria-label=${label}
+      title=${label}
+      @click=${this.reset}
+    >
+      <wa-icon name="reset"></wa-icon>
+    </button>`;
   }
 }

@@ -10,6 +10,7 @@ import { matchingStyle } from '../state/style_patch.ts';
 import { swatchOf } from '../state/style_swatch.ts';
 import { shared } from '../styles/shared.ts';
 import type { Viewport } from '../view/camera.ts';
+import './compare_button.ts';
 import './section.ts';
 import { SessionElement } from './session_element.ts';
 import './style_picture.ts';
@@ -137,6 +138,7 @@ export class StyleGallery extends SessionElement {
     const studies = stylesOf('study', capabilities.styles);
     this.studies_open ||= groupOf(worn) === 'study';
     return html`${this.caption(worn)}
+      <cutaway-compare-button .session=${this.session}></cutaway-compare-button>
       <h2 id="illustrations">${words().panel.styles.illustrations}</h2>
       ${this.cards('illustrations', stylesOf('illustration', capabilities.styles), worn)}
       ${

@@ -13,6 +13,8 @@ export class TopBar extends SessionElement {
     'volume',
     'preferences',
     'shown',
+    'can_undo',
+    'can_redo',
     'lens_follows',
   ] as const;
 
@@ -122,7 +124,7 @@ export class TopBar extends SessionElement {
   ];
 
   override render() {
-    const { link, volume, preferences, shown } = this.state;
+    const { link, volume, preferences, shown, can_undo, can_redo } = this.state;
     const { commands } = this.session;
     const { bar, links } = words().page;
     const toggle = preferences.panel_open ? bar.hide_panel : bar.show_panel;
@@ -140,7 +142,8 @@ export class TopBar extends SessionElement {
         <span class="dot"></span><span>${links[link.phase]}</span>
       </div>
       <nav aria-label=${bar.view}>
-        ${this.followButton()}
+        ${this.followButton()} ${this.button('undo', bar.undo, () => commands.undo(), !can_undo)}
+        ${this.button('redo', bar.redo, () => commands.redo(), !can_redo)}
         ${this.button('link', bar.copy_link, () => void this.copyLink(), !volume)}
         ${this.button('save', bar.save_picture, () => commands.saveStill(), !shown, 'save')}
         ${this.button('help', bar.help, () => commands.toggleHelp(true))}

@@ -30,6 +30,7 @@ export class CutawayViewport extends SessionElement {
     'capabilities',
     'viewport',
     'lens_follows',
+    'comparing',
   ] as const;
 
   @property({ attribute: false }) canvas!: HTMLCanvasElement;
@@ -92,6 +93,18 @@ export class CutawayViewport extends SessionElement {
         border-radius: var(--radius);
         background: var(--surface-floating);
         box-shadow: var(--shadow);
+      }
+      .chip {
+        position: absolute;
+        top: 44px;
+        left: 50%;
+        transform: translateX(-50%);
+        padding: 6px 14px;
+        border-radius: 999px;
+        background: var(--on-picture-accent);
+        color: var(--on-picture-on-accent);
+        font-weight: 600;
+        pointer-events: none;
       }
       .empty {
         position: absolute;
@@ -162,7 +175,7 @@ export class CutawayViewport extends SessionElement {
       <cutaway-orientation-marks .session=${this.session}></cutaway-orientation-marks>
       <cutaway-orientation-cube .session=${this.session}></cutaway-orientation-cube>
       <cutaway-picture-notices .session=${this.session}></cutaway-picture-notices>
-      ${this.emptyNote()} ${this.offlineBanner()}
+      ${this.emptyNote()} ${this.offlineBanner()} ${this.comparison()}
       <cutaway-loading-card .session=${this.session}></cutaway-loading-card>
     `;
   }
@@ -176,6 +189,11 @@ export class CutawayViewport extends SessionElement {
     const waiting = link.phase === 'connecting' ? texts.connecting : coming;
     const text = empty ? texts.no_volumes : waiting;
     return html`<div class="empty">${text}</div>`;
+  }
+
+  private comparison() {
+    if (!this.state.comparing) return nothing;
+    return html`<div class="chip" data-part="comparing">${words().page.comparing}</div>`;
   }
 
   private offlineBanner() {

@@ -8,10 +8,15 @@ const ZOOM_FACTOR = 1.1;
 const LENS_FACTOR = 1.08;
 const ROLL_RADIANS = Math.PI / 36;
 
+export type KeyGroup = keyof Words['keys']['groups'];
+
 export interface KeyBinding {
   /** As the help sheet shows them. */
   readonly keys: string;
   readonly meaning: keyof Words['keys']['meanings'];
+  readonly group: KeyGroup;
+  /** Wherever the focus is, but in a text field; else only while the picture has it. */
+  readonly anywhere?: boolean;
   /** Whether the event is one of them; if so it has been carried out. */
   readonly apply: (event: KeyboardEvent, commands: Commands, device_pixels: number) => boolean;
 }
@@ -49,40 +54,134 @@ function key(names: string, action: (commands: Commands) => void): KeyBinding['a
   };
 }
 
+/** With Ctrl, or on a Mac with Command. */
+function chord(
+  wanted: (key: string, shift: boolean) => boolean,
+  action: (commands: Commands) => void,
+): KeyBinding['apply'] {
+  return (event, commands) => {
+    const { key, shiftKey, ctrlKey, metaKey, altKey } = event;
+    if (!(ctrlKey || metaKey) || altKey || !wanted(key.toLowerCase(), shiftKey)) return false;
+    action(commands);
+    return true;
+  };
+}
+
 export const KEY_BINDINGS: readonly KeyBinding[] = [
   {
     keys: '← ↑ → ↓',
     meaning: 'rotate',
+    group: 'view',
     apply: arrows('none', TURN_CSS_PIXELS, (c, dx, dy) => c.orbit(dx, dy)),
   },
   {
     keys: 'Alt + ← ↑ → ↓',
     meaning: 'pan',
+    group: 'view',
     apply: arrows('alt', TURN_CSS_PIXELS, (c, dx, dy) => c.pan(dx, dy)),
   },
   {
     keys: 'Shift + ← ↑ → ↓',
     meaning: 'move_lens',
+    group: 'lens',
     apply: arrows('shift', NUDGE_CSS_PIXELS, (c, dx, dy) => c.nudgeLens(dx, dy)),
   },
-  { keys: '+', meaning: 'zoom_in', apply: key('+ =', (c) => c.zoom(ZOOM_FACTOR)) },
-  { keys: '-', meaning: 'zoom_out', apply: key('- _', (c) => c.zoom(1 / ZOOM_FACTOR)) },
-  { keys: ']', meaning: 'larger_lens', apply: key(']', (c) => c.scaleLens(LENS_FACTOR)) },
-  { keys: '[', meaning: 'smaller_lens', apply: key('[', (c) => c.scaleLens(1 / LENS_FACTOR)) },
-  { keys: 'x', meaning: 'toggle_lens', apply: key('x', (c) => c.toggleLens()) },
+  { keys: '+', meaning: 'zoom_in', group: 'view', apply: key('+ =', (c) => c.zoom(ZOOM_FACTOR)) },
+  {
+    keys: '-',
+    meaning: 'zoom_out',
+    group: 'view',
+    apply: key('- _', (c) => c.zoom(1 / ZOOM_FACTOR)),
+  },
+  {
+    keys: ']',
+    meaning: 'larger_lens',
+    group: 'lens',
+    apply: key(']', (c) => c.scaleLens(LENS_FACTOR)),
+  },
+  {
+    keys: '[',
+    meaning: 'smaller_lens',
+    group: 'lens',
+    apply: key('[', (c) => c.scaleLens(1 / LENS_FACTOR)),
+  },
+  { keys: 'x', meaning: 'toggle_lens', group: 'lens', apply: key('x', (c) => c.toggleLens()) },
   {
     keys: 'f',
     meaning: 'follow',
+    group: 'lens',
     apply: key('f', (c) => c.followPointer()),
   },
-  { keys: ',', meaning: 'roll_left', apply: key(',', (c) => c.roll(-ROLL_RADIANS)) },
-  { keys: '.', meaning: 'roll_right', apply: key('.', (c) => c.roll(ROLL_RADIANS)) },
-  { keys: 'r', meaning: 'reset_view', apply: key('r', (c) => c.resetView()) },
-  { keys: 'p', meaning: 'toggle_panel', apply: key('p', (c) => c.togglePanel()) },
-  { keys: '?', meaning: 'help', apply: key('?', (c) => c.toggleHelp()) },
+  {
+    keys: 'b',
+    meaning: 'compare',
+    group: 'style',
+    apply: key('b', (c) => c.compare(true)),
+  },
+  {
+    keys: 'Ctrl + Z',
+    meaning: 'undo',
+    group: 'style',
+    anywhere: true,
+    apply: chord(
+      (name, shift) => name === 'z' && !shift,
+      (c) => c.undo(),
+    ),
+  },
+  {
+    keys: 'Ctrl + Y, Ctrl + Shift + Z',
+    meaning: 'redo',
+    group: 'style',
+    anywhere: true,
+    apply: chord(
+      (name, shift) => name === 'y' || (name === 'z' && shift),
+      (c) => c.redo(),
+    ),
+  },
+  { keys: ',', meaning: 'roll_left', group: 'view', apply: key(',', (c) => c.roll(-ROLL_RADIANS)) },
+  { keys: '.', meaning: 'roll_right', group: 'view', apply: key('.', (c) => c.roll(ROLL_RADIANS)) },
+  { keys: 'r', meaning: 'reset_view', group: 'view', apply: key('r', (c) => c.resetView()) },
+  { keys: 'p', meaning: 'toggle_panel', group: 'page', apply: key('p', (c) => c.togglePanel()) },
+  { keys: '?', meaning: 'help', group: 'page', apply: key('?', (c) => c.toggleHelp()) },
 ];
 
-export function applyKey(event: KeyboardEvent, commands: Commands, device_pixels: number): void {
-  if (KEY_BINDINGS.some((binding) => binding.apply(event, commands, device_pixels)))
+const applied = (
+  bindings: readonly KeyBinding[],
+  event: KeyboardEvent,
+  commands: Commands,
+  device_pixels: number,
+): void => {
+  if (bindings.some((binding) => binding.apply(event, commands, device_pixels)))
     event.preventDefault();
+};
+
+export function applyKey(event: KeyboardEvent, commands: Commands, device_pixels: number): void {
+  applied(
+    KEY_BINDINGS.filter(({ anywhere }) => !anywhere),
+    event,
+    commands,
+    device_pixels,
+  );
+}
+
+const TEXT_FIELDS = /^(text|number|search|email|url|tel|password)$/;
+
+/** Where Ctrl+Z undoes what was typed. */
+function takesText(event: KeyboardEvent): boolean {
+  const [target] = event.composedPath();
+  if (target instanceof HTMLTextAreaElement) return true;
+  return target instanceof HTMLInputElement && TEXT_FIELDS.test(target.type) && !target.readOnly;
+}
+
+/** For keys that work anywhere, and for a held key that is let go. Lasts as long as the page. */
+export function listenToKeys(page: Window, commands: Commands): void {
+  const anywhere = KEY_BINDINGS.filter((binding) => binding.anywhere);
+  page.addEventListener('keydown', (event) => {
+    if (!takesText(event)) applied(anywhere, event, commands, page.devicePixelRatio);
+  });
+  const released = (): void => commands.compare(false);
+  page.addEventListener('keyup', ({ key: name }) => {
+    if (name === 'b') released();
+  });
+  page.addEventListener('blur', released);
 }

@@ -8,10 +8,10 @@ const REST_MS = 400;
 export function keepSceneInAddress(session: ViewerSession): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const write = async (): Promise<void> => {
-    const { scene } = session.store.state;
-    if (!scene) return;
+    const { scene, comparing } = session.store.state;
+    if (!scene || comparing) return;
     const address = await sceneToAddress(scene as JsonObject);
-    if (session.store.state.scene !== scene) return;
+    if (session.store.state.scene !== scene || session.store.state.comparing) return;
     history.replaceState(null, '', address);
     session.store.update({ address_current: true });
   };

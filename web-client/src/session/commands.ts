@@ -10,8 +10,13 @@ import { projectPx, type Camera, type Point, type Viewport } from '../view/camer
 import { lookFrom, orbitByPixels, panByPixels, roll, zoom } from '../view/camera_motion.ts';
 import type { StandardView } from '../view/orientation.ts';
 import type { Counter } from '../protocol/counter.ts';
-import { SCENE_FIELDS, type Style } from '../protocol/messages.ts';
+import { SCENE_FIELDS, type Scene, type Style } from '../protocol/messages.ts';
+import { groupReset, type PanelGroup } from '../state/group_reset.ts';
+import { words } from '../words/words.ts';
+import { Comparison } from './comparison.ts';
+import { History } from './history.ts';
 import type { SceneLink } from './scene_link.ts';
+import type { Toasts } from './toasts.ts';
 import type { Preferences } from '../preferences/preferences.ts';
 
 const SMALLEST_LENS_MM = 1;
@@ -19,22 +24,29 @@ const SMALLEST_LENS_MM = 1;
 export class Commands {
   /** What comes back when the lens is switched on again. */
   private lens_mode: Json = 'cutaway';
+  private readonly history: History;
+  private readonly comparison: Comparison;
 
   constructor(
     private readonly store: Store<ViewerState>,
     private readonly link: SceneLink,
     private readonly stream: Stream,
     private readonly requests: Counter,
-  ) {}
+    private readonly toasts: Toasts,
+  ) {
+    this.history = new History(store, link);
+    this.comparison = new Comparison(store, link, this.history);
+  }
 
   /** A null, which leaves a choice to the server, goes out at once. */
   change(patch: JsonObject): void {
+    this.step();
     if (holdsNull(patch)) this.link.sendPatch(patch);
     else this.link.change(patch);
   }
 
   set(path: readonly string[], value: Json): void {
-    this.link.change(nestedPatch(path, value));
+    this.change(nestedPatch(path, value));
   }
 
   orbit(dx_px: number, dy_px: number): void {
@@ -54,15 +66,18 @@ export class Commands {
   }
 
   look({ towards_eye, up }: StandardView): void {
+    this.stepAtOnce();
     this.move((camera) => lookFrom(camera, towards_eye, up));
   }
 
   /** Back to the view that the server chooses for the volume. */
   resetView(): void {
+    this.stepAtOnce();
     this.link.sendPatch({ camera: null, lens: { centre_mm: null, radius_mm: null } });
   }
 
   dragLens(position_px: Point): void {
+    this.step();
     this.link.dragLens(position_px);
   }
 
@@ -73,7 +88,7 @@ export class Commands {
     const centre_mm = shown_scene?.lens?.centre_mm;
     if (!camera || !viewport || !centre_mm) return;
     const centre_px = projectPx(camera, viewport, centre_mm);
-    if (centre_px) this.link.dragLens([centre_px[0] + dx_px, centre_px[1] + dy_px]);
+    if (centre_px) this.dragLens([centre_px[0] + dx_px, centre_px[1] + dy_px]);
   }
 
   setLensRadius(radius_mm: number): void {
@@ -92,7 +107,8 @@ export class Commands {
   toggleLens(): void {
     const mode = this.store.state.scene?.lens?.mode ?? 'none';
     if (mode !== 'none') this.lens_mode = mode;
-    this.set(['lens', 'mode'], mode === 'none' ? this.lens_mode : 'none');
+    this.stepAtOnce();
+    this.link.change(nestedPatch(['lens', 'mode'], mode === 'none' ? this.lens_mode : 'none'));
   }
 
   /** A lens that is off comes on, or nothing would be seen to follow. */
@@ -103,12 +119,40 @@ export class Commands {
 
   applyStyle(style: Style): void {
     const { capabilities } = this.store.state;
-    if (capabilities) this.link.sendPatch(stylePatch(style, capabilities.modules));
+    if (!capabilities) return;
+    this.stepAtOnce();
+    this.store.update({ base_style: style.name });
+    this.link.sendPatch(stylePatch(style, capabilities.modules));
+  }
+
+  /** A part of the panel, back to what the last style says of it. */
+  resetGroup(group: PanelGroup): void {
+    const { capabilities, base_style } = this.store.state;
+    if (!capabilities) return;
+    this.stepAtOnce();
+    this.link.sendPatch(groupReset(group, capabilities, base_style));
+  }
+
+  undo(): void {
+    this.comparison.end();
+    this.history.undo();
+  }
+
+  redo(): void {
+    this.comparison.end();
+    this.history.redo();
+  }
+
+  /** Shows the previous look until it is called with false. */
+  compare(begins: boolean): void {
+    if (!begins) this.comparison.end();
+    else if (!this.comparison.begin()) this.toasts.note(words().messages.nothing_to_compare);
   }
 
   /** The server chooses camera, lens and iso-values for the new volume. */
   openVolume(id: string): void {
     this.store.update({ awaits_volume: false });
+    this.stepAtOnce();
     this.link.openVolume(id);
   }
 
@@ -159,6 +203,21 @@ export class Commands {
     const camera = viewCamera(this.store.state);
     if (!camera || !viewport) return;
     const { eye_mm, target_mm, up, ...lens } = motion(camera, viewport);
+    this.step();
     this.link.change({ camera: { eye_mm, target_mm, up, ...lens } });
+  }
+
+  /** Before a change: undo goes back to here, or to where the gesture began. */
+  private step(): void {
+    this.history.changing(this.sceneToKeep());
+  }
+
+  private stepAtOnce(): void {
+    this.history.changingAtOnce(this.sceneToKeep());
+  }
+
+  private sceneToKeep(): Scene | undefined {
+    const { scene } = this.store.state;
+    return scene && this.comparison.withoutIt(scene);
   }
 }

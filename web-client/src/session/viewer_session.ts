@@ -1,6 +1,7 @@
 // Brings the stream's events into the state.
 import { errorDetail, errorTitle } from '../state/error_text.ts';
 import { Store } from '../state/store.ts';
+import { matchingStyle } from '../state/style_patch.ts';
 import { INITIAL_STATE, type ViewerState } from '../state/viewer_state.ts';
 import { Counter } from '../protocol/counter.ts';
 import type {
@@ -56,7 +57,7 @@ export class ViewerSession {
     this.link = new SceneLink(this.store, stream);
     this.opening = new SceneOpening(this.store, this.link, this.toasts);
     const requests = new Counter();
-    this.commands = new Commands(this.store, this.link, stream, requests);
+    this.commands = new Commands(this.store, this.link, stream, requests, this.toasts);
     this.previews = new StylePreviews(this.store, stream, requests);
   }
 
@@ -136,13 +137,20 @@ export class ViewerSession {
         this.link.told(message);
         if (!message.volume) return;
         this.told.volume = message.volume;
-        return this.publish();
+        this.publish();
+        return this.findBaseStyle();
       }
       case 'error':
         return this.onError(message);
       case 'picked':
         return;
     }
+  }
+
+  private findBaseStyle(): void {
+    const { scene, capabilities } = this.store.state;
+    const style = matchingStyle(scene, capabilities?.styles ?? []);
+    if (style) this.store.update({ base_style: style.name });
   }
 
   private onLoading(loading: LoadingMessage): void {

@@ -34,6 +34,12 @@ export interface ViewerState {
   readonly loading: LoadingMessage | undefined;
   /** What the user has set; ahead of the picture. */
   readonly scene: Scene | undefined;
+  readonly can_undo: boolean;
+  readonly can_redo: boolean;
+  /** The previous look is shown, for as long as a key or a button is held. */
+  readonly comparing: boolean;
+  /** Name of the style that was put on last, or that the scene came with. */
+  readonly base_style: string | undefined;
   readonly volume: VolumeSummary | undefined;
   readonly viewport: Viewport | undefined;
   /** Number of the last input that went out. */
@@ -67,6 +73,10 @@ export const INITIAL_STATE: ViewerState = {
   awaits_volume: false,
   loading: undefined,
   scene: undefined,
+  can_undo: false,
+  can_redo: false,
+  comparing: false,
+  base_style: undefined,
   volume: undefined,
   viewport: undefined,
   sent_input: 0,

@@ -20,6 +20,7 @@ export const keys = {
     resize_lens: ['Alt or Shift + wheel, or drag the rim', 'Resize the lens'],
   } as Readonly<Record<'rotate' | 'pan' | 'zoom' | 'move_lens' | 'resize_lens', GestureWords>>,
 
+  groups: { view: 'View', lens: 'Lens', style: 'Style and steps', page: 'Page' },
   meanings: {
     rotate: 'Rotate',
     pan: 'Pan',
@@ -32,6 +33,9 @@ export const keys = {
     follow: 'Lens follows the pointer, until f, Esc or a drag',
     roll_left: 'Roll left',
     roll_right: 'Roll right',
+    compare: 'Show the previous style while held',
+    undo: 'Undo',
+    redo: 'Redo',
     reset_view: 'Reset the view',
     toggle_panel: 'Show or hide the panel',
     help: 'This sheet',

@@ -30,6 +30,7 @@ export const messages = {
   view_not_restored: 'The view before the interruption could not be restored',
   opening_cancelled: 'Opening was cancelled',
   unexpected: 'Something unexpected came from the server',
+  nothing_to_compare: 'There is no previous style to compare with yet',
   link_in_clipboard: 'The link to this view is in the clipboard',
   link_in_address_bar: 'The link to this view is in the address bar',
   picture: 'picture',

@@ -13,6 +13,8 @@ export const page = {
   bar: {
     view: 'View',
     follow: 'Lens follows the pointer',
+    undo: 'Undo',
+    redo: 'Redo',
     copy_link: 'Copy a link to this view',
     save_picture: 'Save the picture as PNG',
     help: 'Help and keys',
@@ -41,6 +43,7 @@ export const page = {
     too_large: 'a message was far larger than the server takes',
   },
 
+  comparing: 'Previous style',
   lens: 'Lens',
   lens_keys: 'Arrow keys move the lens over the surface, plus and minus resize it.',
   lens_size: 'Lens size',

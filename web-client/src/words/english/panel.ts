@@ -6,6 +6,7 @@ const plural = pluralIn('en');
 export const panel = {
   name: 'Panel',
   tabs: { volumes: 'Volumes', styles: 'Styles', adjust: 'Adjust', view: 'View' },
+  reset: (group: string) => `${group}: reset`,
   advanced: 'Advanced',
 
   volumes: {
@@ -19,6 +20,8 @@ export const panel = {
     waiting: 'Waiting for the server…',
     illustrations: 'Illustrations',
     studies: 'Technique studies',
+    hold_to_compare: 'Hold to compare',
+    hold_to_compare_hint: 'Shows the previous style while it is held',
     own_look: 'Your own look.',
     own_look_hint: 'No named style has these settings.',
   },

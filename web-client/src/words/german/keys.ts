@@ -19,6 +19,7 @@ export const keys: Words['keys'] = {
     resize_lens: ['Alt oder Umschalt + Rad, oder am Rand ziehen', 'Größe der Linse ändern'],
   },
 
+  groups: { view: 'Ansicht', lens: 'Linse', style: 'Stil und Schritte', page: 'Seite' },
   meanings: {
     rotate: 'Drehen',
     pan: 'Verschieben',
@@ -31,6 +32,9 @@ export const keys: Words['keys'] = {
     follow: 'Linse folgt dem Zeiger, bis f, Esc oder Ziehen',
     roll_left: 'Nach links rollen',
     roll_right: 'Nach rechts rollen',
+    compare: 'Den vorigen Stil zeigen, solange gehalten',
+    undo: 'Rückgängig',
+    redo: 'Wiederholen',
     reset_view: 'Ansicht zurücksetzen',
     toggle_panel: 'Seitenleiste ein- oder ausblenden',
     help: 'Diese Übersicht',

@@ -27,6 +27,7 @@ export const messages: Words['messages'] = {
   view_not_restored: 'Die Ansicht vor der Unterbrechung konnte nicht wiederhergestellt werden',
   opening_cancelled: 'Das Öffnen wurde abgebrochen',
   unexpected: 'Etwas Unerwartetes kam vom Server',
+  nothing_to_compare: 'Es gibt noch keinen vorigen Stil zum Vergleichen',
   link_in_clipboard: 'Der Link zu dieser Ansicht ist in der Zwischenablage',
   link_in_address_bar: 'Der Link zu dieser Ansicht steht in der Adresszeile',
   picture: 'Bild',

@@ -13,6 +13,8 @@ export const page: Words['page'] = {
   bar: {
     view: 'Ansicht',
     follow: 'Linse folgt dem Zeiger',
+    undo: 'Rückgängig',
+    redo: 'Wiederholen',
     copy_link: 'Link zu dieser Ansicht kopieren',
     save_picture: 'Bild als PNG speichern',
     help: 'Hilfe und Tasten',
@@ -41,6 +43,7 @@ export const page: Words['page'] = {
     too_large: 'eine Nachricht war weit größer, als der Server annimmt',
   },
 
+  comparing: 'Voriger Stil',
   lens: 'Linse',
   lens_keys: 'Pfeiltasten bewegen die Linse über die Oberfläche, Plus und Minus ändern ihre Größe.',
   lens_size: 'Größe der Linse',

@@ -6,6 +6,7 @@ const plural = pluralIn('de');
 export const panel: Words['panel'] = {
   name: 'Seitenleiste',
   tabs: { volumes: 'Volumen', styles: 'Stile', adjust: 'Anpassen', view: 'Ansicht' },
+  reset: (group) => `${group}: zurücksetzen`,
   advanced: 'Erweitert',
 
   volumes: {
@@ -22,6 +23,8 @@ export const panel: Words['panel'] = {
     waiting: 'Warten auf den Server …',
     illustrations: 'Illustrationen',
     studies: 'Technikstudien',
+    hold_to_compare: 'Zum Vergleichen halten',
+    hold_to_compare_hint: 'Zeigt den vorigen Stil, solange gehalten wird',
     own_look: 'Ihr eigener Stil.',
     own_look_hint: 'Kein benannter Stil hat diese Einstellungen.',
   },
