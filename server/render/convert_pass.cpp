@@ -4,7 +4,8 @@ namespace cutaway {
 
 ConvertPass::ConvertPass(const gl::ShaderLibrary& shaders)
     : luma_(shaders, "fullscreen.vert", "convert_luma.frag"),
-      chroma_(shaders, "fullscreen.vert", "convert_chroma.frag") {}
+      halved_chroma_(shaders, "fullscreen.vert", "convert_chroma.frag", {{"BLOCK_PX", "2"}}),
+      full_chroma_(shaders, "fullscreen.vert", "convert_chroma.frag", {{"BLOCK_PX", "1"}}) {}
 
 void ConvertPass::run(PixelLayout layout, const ViewBuffers& buffers,
                       const gl::FullscreenTriangle& triangle) {
@@ -13,9 +14,9 @@ void ConvertPass::run(PixelLayout layout, const ViewBuffers& buffers,
   buffers.luma.framebuffer.bind();
   triangle.draw();
 
-  chroma_.use();
-  chroma_.set_texture("picture", 0, buffers.picture.texture.name());
-  chroma_.set("block_px", layout == PixelLayout::yuv420 ? 2 : 1);
+  const gl::Program& chroma = layout == PixelLayout::yuv420 ? halved_chroma_ : full_chroma_;
+  chroma.use();
+  chroma.set_texture("picture", 0, buffers.picture.texture.name());
   buffers.chroma_target.bind();
   triangle.draw();
 }

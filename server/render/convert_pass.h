@@ -23,7 +23,8 @@ class ConvertPass {
 
  private:
   gl::Program luma_;
-  gl::Program chroma_;
+  gl::Program halved_chroma_;
+  gl::Program full_chroma_;
 };
 
 /// Where a layout's pixels lie once they are converted, in the order of Pixels::planes.

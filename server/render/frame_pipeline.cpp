@@ -136,8 +136,10 @@ std::uint64_t FramePipeline::cast_rays(const Draft& draft, const RayCastKey& key
        .cost = kRayCost,
        .begin = [key, &buffers] { RayCastPass::clear(key, buffers); },
        .draw =
-           [this, key, &volume, &buffers](const gl::PixelRect& strip) {
-             ray_cast_pass_.run(key, volume, buffers, strip, triangle_);
+           [this, key, &volume, &buffers,
+            lens = scaled(draft.regions.branches[kFocus], draft.settings.supersampling)](
+               const gl::PixelRect& strip) {
+             ray_cast_pass_.run(key, volume, buffers, strip, lens, triangle_);
            }});
 }
 

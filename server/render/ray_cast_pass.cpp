@@ -6,6 +6,7 @@
 #include "core/check.h"
 #include "render/lenses/lens_registry.h"
 #include "render/shading/shading_registry.h"
+#include "render/view_regions.h"
 
 namespace cutaway {
 
@@ -81,8 +82,7 @@ RayCastPass::RayCastPass(const gl::ShaderLibrary& shaders) {
   }
 }
 
-const RayCastPass::Entry& RayCastPass::entry_for(const Lens& lens) const {
-  const LensMode mode = lens.radius_mm > 0.0 ? lens.mode : LensMode::none;
+const RayCastPass::Entry& RayCastPass::entry_for(LensMode mode, const Lens& lens) const {
   const auto found = std::ranges::find_if(programs_, [&](const Entry& entry) {
     return entry.mode == mode && entry.shape->name == lens.shape.name;
   });
@@ -98,9 +98,23 @@ void RayCastPass::clear(const RayCastKey& key, const ViewBuffers& buffers) {
   }
 }
 
+// Most rays pass by the lens, and the program without one is simpler.
 void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, const ViewBuffers& buffers,
-                      const gl::PixelRect& strip, const gl::FullscreenTriangle& triangle) const {
-  const Entry& entry = entry_for(key.lens);
+                      const gl::PixelRect& strip, const gl::PixelRect& lens,
+                      const gl::FullscreenTriangle& triangle) const {
+  const LensMode mode = key.lens.radius_mm > 0.0 ? key.lens.mode : LensMode::none;
+  const bool is_local = mode == LensMode::cutaway;
+  const gl::PixelRect within = is_local ? common_part(strip, lens) : strip;
+  if (!within.is_empty())
+    draw(entry_for(mode, key.lens), key, volume, buffers, {{within}}, triangle);
+  if (is_local)
+    draw(entry_for(LensMode::none, key.lens), key, volume, buffers, parts_around(strip, lens),
+         triangle);
+}
+
+void RayCastPass::draw(const Entry& entry, const RayCastKey& key, GpuVolume& volume,
+                       const ViewBuffers& buffers, std::span<const gl::PixelRect> parts,
+                       const gl::FullscreenTriangle& triangle) const {
   const gl::Program& program = key.is_translucent() ? entry.translucent : entry.opaque;
   program.use();
   volume.set_uniforms(program, 0);
@@ -112,14 +126,12 @@ void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, const ViewBuffer
                                 static_cast<float>(buffers.picture_size_px().y));
   set_search(program, key, volume);
   set_lens(program, *entry.shape, key.lens);
-  if (key.is_translucent()) {
-    set_looks(program, key);
-    buffers.layers_target.bind(strip);
-  } else {
-    buffers.surface_target.bind(strip);
-  }
+  if (key.is_translucent()) set_looks(program, key);
   const gl::DepthTest test(gl::DepthTest::over_drawn);
-  triangle.draw();
+  for (const gl::PixelRect& part : parts) {
+    (key.is_translucent() ? buffers.layers_target : buffers.surface_target).bind(part);
+    triangle.draw();
+  }
 }
 
 }  // namespace cutaway

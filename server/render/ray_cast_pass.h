@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/gpu_volume.h"
@@ -37,9 +38,11 @@ class RayCastPass {
   explicit RayCastPass(const gl::ShaderLibrary& shaders);
   /// Everything as if no ray had met anything.
   static void clear(const RayCastKey& key, const ViewBuffers& buffers);
-  /// Casts the rays of a strip of the surface buffers; layers must have been prepared.
+  /// Casts the rays of a strip of the surface buffers; layers must have been prepared. No ray
+  /// outside of `lens` meets the lens.
   void run(const RayCastKey& key, GpuVolume& volume, const ViewBuffers& buffers,
-           const gl::PixelRect& strip, const gl::FullscreenTriangle& triangle) const;
+           const gl::PixelRect& strip, const gl::PixelRect& lens,
+           const gl::FullscreenTriangle& triangle) const;
 
  private:
   /// One for each shape of the lens and what it does.
@@ -49,7 +52,10 @@ class RayCastPass {
     gl::Program opaque;
     gl::Program translucent;
   };
-  const Entry& entry_for(const Lens& lens) const;
+  const Entry& entry_for(LensMode mode, const Lens& lens) const;
+  void draw(const Entry& entry, const RayCastKey& key, GpuVolume& volume,
+            const ViewBuffers& buffers, std::span<const gl::PixelRect> parts,
+            const gl::FullscreenTriangle& triangle) const;
 
   std::vector<Entry> programs_;
 };

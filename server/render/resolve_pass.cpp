@@ -12,6 +12,7 @@ void ResolvePass::run(const BranchBuffers& branch, const gl::PixelRect& strip, i
   program_.set_texture("layers_texture", 1, branch.layers.name());
   program_.set("supersampling", supersampling);
   branch.shade_target.bind(strip);
+  const gl::DepthTest test(gl::DepthTest::over_drawn);
   triangle.draw();
 }
 

@@ -45,6 +45,7 @@ void ShadePass::run(const ShadeKey& key, BranchIndex index, const BranchBuffers&
   set_view_rays(program, key.rays);
   model.set_parameters(UniformStruct(program, model.name, index), key.look.shading.parameters);
   branch.shade_target.bind(strip);
+  const gl::DepthTest test(gl::DepthTest::over_drawn);
   triangle.draw();
 }
 

@@ -4,10 +4,11 @@ namespace cutaway {
 
 namespace {
 
-ColourTarget colour_target(GLenum format, glm::ivec2 size_px) {
+ColourTarget colour_target(GLenum format, glm::ivec2 size_px,
+                           const gl::Texture2D* depth = nullptr) {
   ColourTarget target;
   target.texture = gl::Texture2D(format, size_px, gl::Filtering::nearest);
-  target.framebuffer = gl::Framebuffer({&target.texture});
+  target.framebuffer = gl::Framebuffer({&target.texture}, depth);
   return target;
 }
 
@@ -26,18 +27,22 @@ FilterSums filter_sums(glm::ivec2 picture_size_px, int reach_px) {
 
 ViewBuffers::ViewBuffers(glm::ivec2 picture_size_px, int supersampling)
     : picture_size_px_(picture_size_px), supersampling_(supersampling) {
+  entry = gl::Texture2D(GL_R32F, surface_size_px(), gl::Filtering::nearest);
+  entry_depth = gl::Texture2D(GL_DEPTH_COMPONENT32F, surface_size_px(), gl::Filtering::nearest);
   for (BranchBuffers& branch : branches) {
     branch.surface = gl::Texture2D(GL_RGBA32F, surface_size_px(), gl::Filtering::nearest);
     branch.shaded = gl::Texture2D(GL_RGBA16F, picture_size_px, gl::Filtering::nearest);
     branch.silhouette = gl::Texture2D(GL_R8, picture_size_px, gl::Filtering::nearest);
-    branch.shade_target = gl::Framebuffer({&branch.shaded, &branch.silhouette});
+    branch.shade_target = gl::Framebuffer({&branch.shaded, &branch.silhouette}, picture_depth());
   }
-  entry = gl::Texture2D(GL_R32F, surface_size_px(), gl::Filtering::nearest);
-  entry_depth = gl::Texture2D(GL_DEPTH_COMPONENT32F, surface_size_px(), gl::Filtering::nearest);
   entry_target = gl::Framebuffer({&entry}, &entry_depth);
   surface_target =
       gl::Framebuffer({&branches[kContext].surface, &branches[kFocus].surface}, &entry_depth);
   picture = colour_target(GL_RGBA8, picture_size_px);
+}
+
+const gl::Texture2D* ViewBuffers::picture_depth() const {
+  return supersampling_ == 1 ? &entry_depth : nullptr;
 }
 
 bool ViewBuffers::fits(const RenderSettings& settings) const {
@@ -54,7 +59,8 @@ glm::ivec2 ViewBuffers::luma_size_px(PixelLayout layout) const {
 
 ColourTarget& ViewBuffers::filtered(BranchIndex branch, std::size_t index) {
   auto& targets = branches[branch].filtered;
-  while (targets.size() <= index) targets.push_back(colour_target(GL_RGBA16F, picture_size_px_));
+  while (targets.size() <= index)
+    targets.push_back(colour_target(GL_RGBA16F, picture_size_px_, picture_depth()));
   return targets[index];
 }
 

@@ -84,6 +84,10 @@ class ViewBuffers {
   gl::Framebuffer chroma_target;
 
  private:
+  /// The entry's depth where it has a texel a pixel: stages after the ray cast draw only where a
+  /// ray can have met something.
+  const gl::Texture2D* picture_depth() const;
+
   glm::ivec2 picture_size_px_;
   int supersampling_;
   FilterSums sums_;

@@ -62,11 +62,22 @@ gl::PixelRect lens_region(const Projection2D& projection, const Scene& scene) {
   return projection.box(scene.lens.centre_mm, half_edges);
 }
 
-gl::PixelRect both(const gl::PixelRect& a, const gl::PixelRect& b) {
+}  // namespace
+
+gl::PixelRect common_part(const gl::PixelRect& a, const gl::PixelRect& b) {
   return {glm::max(a.begin, b.begin), glm::min(a.end, b.end)};
 }
 
-}  // namespace
+std::vector<gl::PixelRect> parts_around(const gl::PixelRect& outer, const gl::PixelRect& inner) {
+  const gl::PixelRect hole = common_part(outer, inner);
+  if (hole.is_empty()) return {outer};
+  std::vector<gl::PixelRect> parts = {{outer.begin, {outer.end.x, hole.begin.y}},
+                                      {{outer.begin.x, hole.end.y}, outer.end},
+                                      {{outer.begin.x, hole.begin.y}, {hole.begin.x, hole.end.y}},
+                                      {{hole.end.x, hole.begin.y}, {outer.end.x, hole.end.y}}};
+  std::erase_if(parts, [](const gl::PixelRect& part) { return part.is_empty(); });
+  return parts;
+}
 
 ViewRegions view_regions(const Scene& scene, const VolumeGeometry& geometry,
                          glm::ivec2 picture_size_px) {
@@ -74,7 +85,7 @@ ViewRegions view_regions(const Scene& scene, const VolumeGeometry& geometry,
   ViewRegions regions;
   regions.volume = volume_region(projection, geometry);
   regions.branches[kContext] = regions.volume;
-  regions.branches[kFocus] = both(regions.volume, lens_region(projection, scene));
+  regions.branches[kFocus] = common_part(regions.volume, lens_region(projection, scene));
   return regions;
 }
 

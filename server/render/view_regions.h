@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "gl/framebuffer.h"
 #include "render/view_buffers.h"
@@ -18,6 +19,11 @@ struct ViewRegions {
 
 ViewRegions view_regions(const Scene& scene, const VolumeGeometry& geometry,
                          glm::ivec2 picture_size_px);
+
+gl::PixelRect common_part(const gl::PixelRect& a, const gl::PixelRect& b);
+
+/// What `outer` has beside `inner`: four parts at most, none of them empty.
+std::vector<gl::PixelRect> parts_around(const gl::PixelRect& outer, const gl::PixelRect& inner);
 
 /// The same region of a picture that has `factor` times the pixels each way.
 gl::PixelRect scaled(const gl::PixelRect& region, int factor);

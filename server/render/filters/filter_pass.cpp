@@ -61,6 +61,7 @@ void FilterPass::run(const FilterKey& key, int step, const FilterInput& input,
   entry.filter->set_parameters(program, key.filter.parameters, key.resolution_scale);
   const gl::Framebuffer& drawn = step == last ? target.picture : target.sums.target_of_step(step);
   drawn.bind(strip);
+  const gl::DepthTest test(gl::DepthTest::over_drawn);
   triangle.draw();
 }
 

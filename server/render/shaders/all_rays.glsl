@@ -9,6 +9,7 @@ HANDED AllRays {
   flat vec2 focus_band;
   flat float step_mm;
   flat float samples_per_mm;
+  flat float brick_mm;         // a brick's shortest edge
   flat vec3 brick_in_map;      // a brick's size, in texture coordinates of the distance maps
 } all_rays;
 

@@ -20,12 +20,22 @@ BrickRay brick_ray() {
   return BrickRay(in_bricks.from, per_mm, 1.0 / per_mm, way, 0.5 - 0.5 * way);
 }
 
+float bricks_to_surface(int branch, vec3 brick) {
+  uvec2 distances = textureLod(distance_maps, (brick + 0.5) * all_rays.brick_in_map, 0.0).rg;
+  return float(branch == FOCUS ? distances.y : distances.x);
+}
+
+// Whether a branch's surface may be within a length of the ray's point.
+bool may_be_near(int branch, BrickRay ray, float at_mm, float length_mm) {
+  if (!skip_empty_space) return true;
+  float clear_bricks = bricks_to_surface(branch, floor(ray.origin + at_mm * ray.per_mm)) - 1.0;
+  return clear_bricks * all_rays.brick_mm < length_mm;
+}
+
 // Distance along the ray (mm) up to which nothing can be hit from `at_mm` on; not beyond it where the sample there must be
 // looked at.
 float empty_until_mm(int branch, BrickRay ray, float at_mm) {
   vec3 brick = floor(ray.origin + at_mm * ray.per_mm);
-  uvec2 distances = textureLod(distance_maps, (brick + 0.5) * all_rays.brick_in_map, 0.0).rg;
-  float reach = float(branch == FOCUS ? distances.y : distances.x);
-  vec3 exits = (brick + ray.far_side + reach * ray.way - ray.origin) * ray.mm_per;
+  vec3 exits = (brick + ray.far_side + bricks_to_surface(branch, brick) * ray.way - ray.origin) * ray.mm_per;
   return min(min(exits.x, exits.y), exits.z);
 }

@@ -7,16 +7,17 @@ layout(location = 0) out vec4 colour_sum;  // colours by weight; sum of weights
 layout(location = 1) out float square_sum;
 
 void main() {
+  ivec2 size = textureSize(colour_texture, 0);
   ivec2 first = ivec2(gl_FragCoord.xy) - radius_px;
-  ivec2 last = textureSize(colour_texture, 0) - 1;
+  bool is_row = first.y >= 0 && first.y < size.y;
+  int begin = is_row ? max(first.x, 0) : 0;
+  int end = is_row ? min(first.x + radius_px + 1, size.x) : 0;
   colour_sum = vec4(0.0);
   square_sum = 0.0;
-  for (int x = 0; x <= radius_px; ++x) {
-    ivec2 pixel = first + ivec2(x, 0);
-    vec4 colour = texelFetch(colour_texture, clamp(pixel, ivec2(0), last), 0);
-    float weight = is_in_picture(pixel) ? colour.a : 0.0;
+  for (int x = begin; x < end; ++x) {
+    vec4 colour = texelFetch(colour_texture, ivec2(x, first.y), 0);
     float offset = offset_of(colour.rgb);
-    colour_sum += weight * vec4(colour.rgb, 1.0);
-    square_sum += weight * offset * offset;
+    colour_sum += colour.a * vec4(colour.rgb, 1.0);
+    square_sum += colour.a * offset * offset;
   }
 }

@@ -98,9 +98,13 @@ float rim_depth_mm(Course course) {
 bool is_cut_off(Ray ray, Course course, bool is_asked) {
   const int SAMPLES = 8;
   vec2 band = band_of(FOCUS);
-  float step_outside_mm = rim_depth_mm(course) / float(SAMPLES);
+  float depth_mm = rim_depth_mm(course);
+  float step_outside_mm = depth_mm / float(SAMPLES);
+  BrickRay bricks = brick_ray();
+  bool may_be = may_be_near(FOCUS, bricks, course.lens_mm.x, depth_mm) ||
+                may_be_near(FOCUS, bricks, course.lens_mm.y, depth_mm);
   bool found = false;
-  for (int i = 1; i <= SAMPLES && is_asked && !found; ++i) {
+  for (int i = 1; i <= SAMPLES && is_asked && may_be && !found; ++i) {
     float behind_mm = course.lens_mm.y + float(i) * step_outside_mm;
     float before_mm = course.lens_mm.x - float(i) * step_outside_mm;
     found = (behind_mm < course.volume_mm.y && band_side(band, value_along(ray, behind_mm)) == IN_BAND) ||

@@ -22,5 +22,7 @@ void main() {
   all_rays.focus_band = vec2(lower_limits.y, upper_limits.y);
   all_rays.step_mm = ray_step_mm;
   all_rays.samples_per_mm = 1.0 / ray_step_mm;
+  vec3 brick_mm = volume_size_mm / bricks_per_volume;
+  all_rays.brick_mm = min(min(brick_mm.x, brick_mm.y), brick_mm.z);
   all_rays.brick_in_map = 1.0 / map_size;
 }
