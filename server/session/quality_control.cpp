@@ -37,6 +37,8 @@ QualityControl::QualityControl(const SessionSettings& settings)
       compression_(kCompressionSteps, settings.frame_budget) {}
 
 void QualityControl::rendered(const FrameQuality& quality, Milliseconds cost) {
+  const double rays_a_pixel = quality.resolution_scale * quality.supersampling;
+  whole_ = cost / (rays_a_pixel * rays_a_pixel);
   if (!made_with_present_steps(quality)) return;
   resolution_.observe(compression_.at_last() ? std::max(cost, transfer_) : cost);
 }
@@ -47,6 +49,14 @@ void QualityControl::acknowledged(const FrameQuality& quality, std::size_t bytes
   if (!made_with_present_steps(quality)) return;
   transfer_ = link_.transfer_time(bytes);
   compression_.observe(transfer_);
+}
+
+FrameQuality QualityControl::still(Viewport viewport) const {
+  FrameQuality quality = still_quality(settings_, viewport);
+  while (quality.supersampling > 1 &&
+         whole_ * quality.supersampling * quality.supersampling > settings_.still_budget)
+    --quality.supersampling;
+  return quality;
 }
 
 FrameQuality QualityControl::interactive() const {

@@ -13,7 +13,8 @@ namespace cutaway {
 FrameQuality still_quality(const SessionSettings& settings, Viewport viewport);
 
 /// Render time governs resolution. The link governs JPEG quality, then the frame rate, and
-/// resolution once quality is at its lowest. The still quality is fixed.
+/// resolution once quality is at its lowest. The still quality is fixed, but for the rays a pixel,
+/// which have to fit the still's budget by what the frames before it cost.
 class QualityControl {
  public:
   explicit QualityControl(const SessionSettings& settings);
@@ -23,7 +24,7 @@ class QualityControl {
                     Milliseconds round_trip);
 
   FrameQuality interactive() const;
-  FrameQuality still(Viewport viewport) const { return still_quality(settings_, viewport); }
+  FrameQuality still(Viewport viewport) const;
   /// The least time between two interactive frames that keeps them from queueing on the link.
   Milliseconds interval() const;
 
@@ -31,6 +32,7 @@ class QualityControl {
   bool made_with_present_steps(const FrameQuality& quality) const;
 
   SessionSettings settings_;
+  Milliseconds whole_{0.0};  ///< the newest frame's cost, as if it had had one ray a pixel
   StepControl resolution_;
   StepControl compression_;
   LinkEstimate link_;

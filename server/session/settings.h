@@ -14,6 +14,8 @@ struct SessionSettings {
   int still_jpeg_quality = 92;
   int still_supersampling = 2;          ///< rays a pixel, each way, where still_rays allows it
   std::int64_t still_rays = 8'400'000;  ///< of a still frame: a larger one gets fewer a pixel
+  Milliseconds still_budget{500.0};     ///< for a still's rendering: where more rays a pixel are
+                                        ///< expected to take longer, it gets fewer
   int viewport_side_px = 4096;
   std::int64_t viewport_pixels = std::int64_t{4096} * 2304;
   double messages_per_second = 300.0;

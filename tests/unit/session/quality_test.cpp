@@ -151,6 +151,20 @@ TEST_F(QualityControlTest, AStillTooLargeForItsRaysGetsFewerAPixelButEveryPixel)
   EXPECT_EQ(quality.still({3840, 2160}).resolution_scale, 1.0);
 }
 
+TEST_F(QualityControlTest, AStillThatWouldTakeTooLongGetsFewerRaysAPixelButEveryPixel) {
+  FrameQuality moving;
+  moving.resolution_scale = 0.5;
+  quality.rendered(moving, Milliseconds(30.0));  // 480 ms with four rays a pixel
+  EXPECT_EQ(quality.still({640, 480}).supersampling, 2);
+  quality.rendered(moving, Milliseconds(32.0));
+  EXPECT_EQ(quality.still({640, 480}).supersampling, 1);
+  EXPECT_EQ(quality.still({640, 480}).resolution_scale, 1.0);
+  FrameQuality still = quality.still({640, 480});
+  still.supersampling = 2;
+  quality.rendered(still, Milliseconds(400.0));
+  EXPECT_EQ(quality.still({640, 480}).supersampling, 2);
+}
+
 TEST_F(QualityControlTest, SlowRenderingLowersResolutionOnly) {
   for (int i = 0; i < 20; ++i) {
     const FrameQuality asked = quality.interactive();
