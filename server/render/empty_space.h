@@ -21,6 +21,9 @@ struct EmptySpaceMaps {
   gl::BufferHandle corners;
   int corner_count = 0;
   int block_cells = 0;  ///< edge of a block, in cells of the volume
+  /// Box of voxels that all bricks which hold something lie in; the volume's where none does.
+  glm::ivec3 first_voxel{0};
+  glm::ivec3 last_voxel{0};
 };
 
 /// Maps are computed at their first use (milliseconds: they go over bricks, not voxels) and kept
@@ -28,8 +31,8 @@ struct EmptySpaceMaps {
 class EmptySpace {
  public:
   /// The reference holds until the next call.
-  const EmptySpaceMaps& maps(const MinMaxGrid& grid, const ValueBand& context,
-                             const ValueBand& focus);
+  const EmptySpaceMaps& maps(const MinMaxGrid& grid, glm::ivec3 size_voxels,
+                             const ValueBand& context, const ValueBand& focus);
 
  private:
   std::list<EmptySpaceMaps> kept_;  ///< most recently used first

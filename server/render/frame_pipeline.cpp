@@ -89,8 +89,12 @@ FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& vo
     view.buffers_.emplace(settings.picture_size_px, settings.supersampling);
   }
   FramePlan plan(observer_);
+  const VolumeGeometry part =
+      settings.skip_empty_space
+          ? volume.occupied_part(scene.context.surface.band, scene.focus.surface.band)
+          : volume.volume().geometry;
   const Draft draft{view, *view.buffers_, settings,
-                    view_regions(scene, volume.volume().geometry, settings.picture_size_px), plan};
+                    view_regions(scene, part, settings.picture_size_px), plan};
   RayCastKey rays = ray_cast_key(scene, volume, settings);
   rays.entry_version = find_entries(draft, rays, volume);
   const std::uint64_t surface = cast_rays(draft, rays, volume);

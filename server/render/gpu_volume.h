@@ -49,7 +49,13 @@ class GpuVolume {
 
   /// For the bands of context and focus; see EmptySpace.
   const EmptySpaceMaps& empty_space(const ValueBand& context, const ValueBand& focus) {
-    return empty_space_.maps(loaded_->min_max, context, focus);
+    return empty_space_.maps(loaded_->min_max, volume().geometry.size_voxels, context, focus);
+  }
+  /// The part of the volume that holds something of these bands, to a brick; all of it where none
+  /// does.
+  VolumeGeometry occupied_part(const ValueBand& context, const ValueBand& focus) {
+    const EmptySpaceMaps& maps = empty_space(context, focus);
+    return part_of(volume().geometry, maps.first_voxel, maps.last_voxel);
   }
   /// Uniforms of shaders/empty_space.glsl; the distances go to `unit`.
   void set_empty_space(const gl::Program& program, int unit, const EmptySpaceMaps& maps) const;

@@ -79,11 +79,11 @@ std::vector<gl::PixelRect> parts_around(const gl::PixelRect& outer, const gl::Pi
   return parts;
 }
 
-ViewRegions view_regions(const Scene& scene, const VolumeGeometry& geometry,
+ViewRegions view_regions(const Scene& scene, const VolumeGeometry& part,
                          glm::ivec2 picture_size_px) {
   const Projection2D projection(scene, picture_size_px);
   ViewRegions regions;
-  regions.volume = volume_region(projection, geometry);
+  regions.volume = volume_region(projection, part);
   regions.branches[kContext] = regions.volume;
   regions.branches[kFocus] = common_part(regions.volume, lens_region(projection, scene));
   return regions;

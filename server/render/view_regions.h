@@ -17,7 +17,8 @@ struct ViewRegions {
   std::array<gl::PixelRect, kBranches> branches;  ///< the focus': empty where there is no lens
 };
 
-ViewRegions view_regions(const Scene& scene, const VolumeGeometry& geometry,
+/// `part`: of the volume, beside which there is nothing to draw.
+ViewRegions view_regions(const Scene& scene, const VolumeGeometry& part,
                          glm::ivec2 picture_size_px);
 
 gl::PixelRect common_part(const gl::PixelRect& a, const gl::PixelRect& b);

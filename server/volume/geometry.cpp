@@ -28,6 +28,13 @@ glm::dmat4 patient_to_index(const VolumeGeometry& geometry) {
   return matrix;
 }
 
+VolumeGeometry part_of(const VolumeGeometry& geometry, glm::ivec3 first, glm::ivec3 last) {
+  VolumeGeometry part = geometry;
+  part.size_voxels = last - first + 1;
+  part.origin_patient_mm = glm::dvec3(index_to_patient(geometry) * glm::dvec4(first, 1.0));
+  return part;
+}
+
 BoundingBox bounds_patient_mm(const VolumeGeometry& geometry) {
   const glm::dmat3 axes = axes_patient_mm(geometry);
   BoundingBox bounds{geometry.origin_patient_mm, geometry.origin_patient_mm};

@@ -31,6 +31,9 @@ struct BoundingBox {
 glm::dmat4 index_to_patient(const VolumeGeometry& geometry);
 glm::dmat4 patient_to_index(const VolumeGeometry& geometry);
 
+/// The grid of the voxels from `first` to `last`, both included.
+VolumeGeometry part_of(const VolumeGeometry& geometry, glm::ivec3 first, glm::ivec3 last);
+
 /// Axis-aligned patient-space bounds of the voxel centres.
 BoundingBox bounds_patient_mm(const VolumeGeometry& geometry);
 

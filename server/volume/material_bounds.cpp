@@ -35,10 +35,7 @@ BoundingBox bounds_reaching_mm(const MinMaxGrid& grid, const VolumeGeometry& geo
   if (box.first.x > box.last.x) return bounds_patient_mm(geometry);
   const glm::ivec3 first = box.first * grid.brick_size;
   const glm::ivec3 last = glm::min((box.last + 1) * grid.brick_size, geometry.size_voxels - 1);
-  VolumeGeometry part = geometry;
-  part.size_voxels = last - first + 1;
-  part.origin_patient_mm = glm::dvec3(index_to_patient(geometry) * glm::dvec4(first, 1.0));
-  return bounds_patient_mm(part);
+  return bounds_patient_mm(part_of(geometry, first, last));
 }
 
 }  // namespace cutaway

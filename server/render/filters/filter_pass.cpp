@@ -57,6 +57,7 @@ void FilterPass::run(const FilterKey& key, int step, const FilterInput& input,
   program.set_texture("colour_sums", 3, target.sums.colour_sums.name());
   program.set_texture("square_sums", 4, target.sums.square_sums.name());
   program.set_texture("windows", 5, target.sums.windows.name());
+  program.set("supersampling", input.surface.size_px().x / input.colour.size_px().x);
   program.set("is_cut", input.is_cut ? 1 : 0);
   entry.filter->set_parameters(program, key.filter.parameters, key.resolution_scale);
   const gl::Framebuffer& drawn = step == last ? target.picture : target.sums.target_of_step(step);

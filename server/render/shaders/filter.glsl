@@ -3,6 +3,7 @@
 uniform sampler2D colour_texture;
 uniform sampler2D silhouette_texture;  // coverage as if no lens had taken anything away
 uniform sampler2D surface_texture;     // see branches.glsl; one or more texels a pixel
+uniform int supersampling;             // rays a pixel, each way
 uniform bool is_cut;                   // the branch may be seen through the cutaway's lens
 
 const vec3 LUMA_WEIGHTS = vec3(0.2126, 0.7152, 0.0722);  // Rec. 709, on display-encoded values

@@ -32,11 +32,12 @@ struct Met {
 
 Met met_at(ivec2 pixel) {
   bool is_asked = is_cut || source >= SOURCE_DEPTH;
-  ivec2 rays = is_asked ? textureSize(surface_texture, 0) / textureSize(colour_texture, 0) : ivec2(0);
+  int rays = is_asked ? supersampling * supersampling : 0;
   Met sum = Met(vec3(0.0), 0.0, 0.0);
   float met = 0.0;
-  for (int i = 0; i < rays.x * rays.y; ++i) {
-    vec4 surface = texelFetch(surface_texture, pixel * rays + ivec2(i % rays.x, i / rays.x), 0);
+  for (int i = 0; i < rays; ++i) {
+    ivec2 ray = ivec2(i % supersampling, i / supersampling);
+    vec4 surface = texelFetch(surface_texture, pixel * supersampling + ray, 0);
     float weight = holds(surface) ? 1.0 : 0.0;
     sum.normal += weight * normal_of(surface);
     sum.depth_mm += weight * surface.w;
