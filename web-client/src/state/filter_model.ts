@@ -2,7 +2,7 @@
 import { SCENE_FIELDS, type ModuleDescription, type Scene } from '../protocol/messages.ts';
 import { readable } from './controls.ts';
 import { textOf, type Json, type JsonObject } from './merge_patch.ts';
-import { controlLevels, type ControlLevels } from './module_model.ts';
+import { controlLevels, NO_CONTROLS, type ControlLevels } from './module_model.ts';
 
 export type BranchName = 'focus' | 'context';
 
@@ -56,7 +56,7 @@ export function filterListModel(
       description: entry?.description ?? '',
       controls: entry
         ? controlLevels(entry, filter, toPatch, `${branch}-filter-${index}`)
-        : { basic: [], advanced: [] },
+        : NO_CONTROLS,
       removed: patch(list.toSpliced(index, 1)),
       earlier: optional(moved(list, index, index - 1)),
       later: optional(moved(list, index, index + 1)),

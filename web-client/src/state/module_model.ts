@@ -1,6 +1,7 @@
 // Controls of the modules that a scene is made of, from the registries in `capabilities`.
 import type { ModuleDescription, ParameterDescription, Scene } from '../protocol/messages.ts';
 import { parameterControl, type ChoiceControl, type Control } from './controls.ts';
+import { toneRamp, type ToneRamp } from './tone_ramp.ts';
 import {
   isObject,
   nestedPatch,
@@ -11,9 +12,13 @@ import {
 } from './merge_patch.ts';
 
 export interface ControlLevels {
+  /** The two colours of a module that has a dark and a light one; they are no controls below. */
+  readonly ramp: ToneRamp | undefined;
   readonly basic: readonly Control[];
   readonly advanced: readonly Control[];
 }
+
+export const NO_CONTROLS: ControlLevels = { ramp: undefined, basic: [], advanced: [] };
 
 export function controlLevels(
   description: ModuleDescription,
@@ -21,13 +26,19 @@ export function controlLevels(
   toPatch: (parameter: string, value: Json) => JsonObject,
   id: string,
 ): ControlLevels {
+  const controlOf = (parameter: ParameterDescription): Control =>
+    parameterControl(parameter, module, (value) => toPatch(parameter.name, value), id);
+  const ramp = toneRamp((name) => {
+    const parameter = description.parameters.find((one) => one.name === name);
+    return parameter && controlOf(parameter);
+  });
+  const in_ramp = [ramp?.dark.id, ramp?.light.id];
   const level = (wanted: ParameterDescription['level']): Control[] =>
     description.parameters
-      .filter((parameter) => parameter.level === wanted)
-      .map((parameter) =>
-        parameterControl(parameter, module, (value) => toPatch(parameter.name, value), id),
-      );
-  return { basic: level('basic'), advanced: level('advanced') };
+      .filter((one) => one.level === wanted)
+      .map(controlOf)
+      .filter(({ id: control }) => !in_ramp.includes(control));
+  return { ramp, basic: level('basic'), advanced: level('advanced') };
 }
 
 const moduleAt = (scene: Scene, path: readonly string[]): JsonObject => {
@@ -74,6 +85,6 @@ export function moduleModel(
           (parameter, value) => nestedPatch([...path, parameter], value),
           id,
         )
-      : { basic: [], advanced: [] },
+      : NO_CONTROLS,
   };
 }

@@ -1,6 +1,7 @@
 // Parts of a scene in the form that the view's mathematics takes.
 import type { Scene } from '../protocol/messages.ts';
 import type { Camera } from '../view/camera.ts';
+import { cameraProjection, type ViewProjection } from '../view/view_projection.ts';
 import type { ViewerState } from './viewer_state.ts';
 
 export const DEFAULT_FIELD_OF_VIEW_DEGREES = 30;
@@ -23,3 +24,12 @@ export const viewCamera = (state: ViewerState): Camera | undefined => cameraOf(s
 /** The camera that the picture on the screen shows. */
 export const shownCamera = (state: ViewerState): Camera | undefined =>
   cameraOf(state.shown_scene ?? state.scene);
+
+/** How the picture on the screen shows the patient; nothing while there is none. */
+export function shownProjection(state: ViewerState): ViewProjection | undefined {
+  const { shown } = state;
+  const camera = shownCamera(state);
+  if (!shown || !camera) return undefined;
+  const viewport = { width_px: shown.viewport_width_px, height_px: shown.viewport_height_px };
+  return cameraProjection(camera, viewport);
+}

@@ -7,6 +7,8 @@ import type {
   VolumeEntry,
   VolumeSummary,
 } from '../protocol/messages.ts';
+import { NOTHING_MEASURED, type MeasureState } from './measure_state.ts';
+import type { OwnStyle } from './own_styles.ts';
 import type { LinkState, ShownFrame } from '../stream/worker_messages.ts';
 import type { Viewport } from '../view/camera.ts';
 import { DEFAULT_PREFERENCES, type Preferences } from '../preferences/preferences.ts';
@@ -19,7 +21,7 @@ export interface Toast {
   readonly detail: string;
 }
 
-export type PanelTab = 'volumes' | 'styles' | 'adjust' | 'view';
+export type PanelTab = 'volumes' | 'styles' | 'adjust' | 'measure' | 'view';
 
 export interface ViewerState {
   readonly link: LinkState;
@@ -54,6 +56,8 @@ export interface ViewerState {
   readonly pointer_held: boolean;
   /** The lens goes where the pointer is. */
   readonly lens_follows: boolean;
+  readonly measure: MeasureState;
+  readonly own_styles: readonly OwnStyle[];
   /** Whether the page's address holds `scene`. */
   readonly address_current: boolean;
   readonly toasts: readonly Toast[];
@@ -86,6 +90,8 @@ export const INITIAL_STATE: ViewerState = {
   previews: new Map(),
   pointer_held: false,
   lens_follows: false,
+  measure: NOTHING_MEASURED,
+  own_styles: [],
   address_current: false,
   toasts: [],
   preferences: DEFAULT_PREFERENCES,

@@ -58,3 +58,18 @@ export const STANDARD_VIEWS: readonly StandardView[] = [
   { letter: 'S', towards_eye: [0, 0, 1], up: [0, -1, 0] },
   { letter: 'I', towards_eye: [0, 0, -1], up: [0, -1, 0] },
 ];
+
+export interface SidedCoordinate {
+  /** Of the patient's direction that the point lies to. */
+  readonly letter: string;
+  /** Never negative. */
+  readonly distance_mm: number;
+}
+
+/** A patient position as distances to the right or left, anterior or posterior, and so on. */
+export function sidedCoordinates(position_mm: Vector3): readonly SidedCoordinate[] {
+  return position_mm.map((coordinate_mm, axis) => ({
+    letter: AXIS_LETTERS[axis]?.[coordinate_mm < 0 ? 0 : 1] ?? '',
+    distance_mm: Math.abs(coordinate_mm),
+  }));
+}

@@ -1,6 +1,8 @@
 // The English texts. The other catalogues have the same keys.
 import { controls } from './english/controls.ts';
 import { keys } from './english/keys.ts';
+import { look, own_styles, volume_browser } from './english/look.ts';
+import { measure } from './english/measure.ts';
 import { messages } from './english/messages.ts';
 import { page } from './english/page.ts';
 import { panel } from './english/panel.ts';
@@ -15,8 +17,12 @@ export const english = {
   number: numberIn('en'),
   controls,
   keys,
+  look,
+  measure,
   messages,
+  own_styles,
   page,
   panel,
   served,
+  volume_browser,
 };

@@ -1,6 +1,8 @@
 // The German texts, loaded when they are wanted.
 import { controls } from './german/controls.ts';
 import { keys } from './german/keys.ts';
+import { look, own_styles, volume_browser } from './german/look.ts';
+import { measure } from './german/measure.ts';
 import { messages } from './german/messages.ts';
 import { page } from './german/page.ts';
 import { panel } from './german/panel.ts';
@@ -13,8 +15,12 @@ export const german: Words = {
   number: numberIn('de'),
   controls,
   keys,
+  look,
+  measure,
   messages,
+  own_styles,
   page,
   panel,
   served,
+  volume_browser,
 };

@@ -18,9 +18,12 @@ export const keys = {
     zoom: ['Wheel or right drag, or pinch', 'Zoom'],
     move_lens: ['Drag the grip in the lens', 'Move the lens over the surface'],
     resize_lens: ['Alt or Shift + wheel, or drag the rim', 'Resize the lens'],
-  } as Readonly<Record<'rotate' | 'pan' | 'zoom' | 'move_lens' | 'resize_lens', GestureWords>>,
+    place_point: ['Click or tap with a measuring tool', 'Place a point on the surface'],
+  } as Readonly<
+    Record<'rotate' | 'pan' | 'zoom' | 'move_lens' | 'resize_lens' | 'place_point', GestureWords>
+  >,
 
-  groups: { view: 'View', lens: 'Lens', style: 'Style and steps', page: 'Page' },
+  groups: { view: 'View', lens: 'Lens', measure: 'Measuring', style: 'Style and steps', page: 'Page' },
   meanings: {
     rotate: 'Rotate',
     pan: 'Pan',
@@ -33,14 +36,10 @@ export const keys = {
     follow: 'Lens follows the pointer, until f, Esc or a drag',
     roll_left: 'Roll left',
     roll_right: 'Roll right',
-    compare: 'Show the previous style while held',
-    undo: 'Undo',
-    redo: 'Redo',
-    reset_view: 'Reset the view',
-    toggle_panel: 'Show or hide the panel',
-    help: 'This sheet',
-  },
-};
-
-/** The gesture, and what it does. */
-type GestureWords = readonly [string, string];
+    measure_distance: 'Measure a distance',
+    measure_angle: 'Measure an angle',
+    measure_probe: 'Read value and position at a point',
+    move_point: 'With a tool: move the point, with Shift finely',
+    place_point: 'With a tool: place the point',
+    take_back_point: 'With a tool: take back the last point',
+    cancel_measuring: 'Give up the measurement, then the tool',

@@ -5,8 +5,18 @@ const plural = pluralIn('en');
 
 export const panel = {
   name: 'Panel',
+<<<<<<< HEAD
   tabs: { volumes: 'Volumes', styles: 'Styles', adjust: 'Adjust', view: 'View' },
   reset: (group: string) => `${group}: reset`,
+=======
+  tabs: {
+    volumes: 'Volumes',
+    styles: 'Styles',
+    adjust: 'Adjust',
+    measure: 'Measure',
+    view: 'View',
+  },
+>>>>>>> 86501df (Web client: measurements in patient millimetres, tissues, tones, own looks and the search for a volume, as plain state)
   advanced: 'Advanced',
 
   volumes: {

@@ -17,6 +17,7 @@ export const keys: Words['keys'] = {
     zoom: ['Rad oder rechte Taste + Ziehen, oder Spreizen', 'Zoomen'],
     move_lens: ['Am Griff in der Linse ziehen', 'Die Linse über die Oberfläche bewegen'],
     resize_lens: ['Alt oder Umschalt + Rad, oder am Rand ziehen', 'Größe der Linse ändern'],
+    place_point: ['Mit Messwerkzeug klicken oder tippen', 'Punkt auf die Oberfläche setzen'],
   },
 
   groups: { view: 'Ansicht', lens: 'Linse', style: 'Stil und Schritte', page: 'Seite' },
@@ -32,9 +33,19 @@ export const keys: Words['keys'] = {
     follow: 'Linse folgt dem Zeiger, bis f, Esc oder Ziehen',
     roll_left: 'Nach links rollen',
     roll_right: 'Nach rechts rollen',
+<<<<<<< HEAD
     compare: 'Den vorigen Stil zeigen, solange gehalten',
     undo: 'Rückgängig',
     redo: 'Wiederholen',
+=======
+    measure_distance: 'Strecke messen',
+    measure_angle: 'Winkel messen',
+    measure_probe: 'Wert und Lage an einem Punkt lesen',
+    move_point: 'Mit Werkzeug: Punkt bewegen, mit Umschalt fein',
+    place_point: 'Mit Werkzeug: Punkt setzen',
+    take_back_point: 'Mit Werkzeug: letzten Punkt zurücknehmen',
+    cancel_measuring: 'Messung aufgeben, dann das Werkzeug',
+>>>>>>> 86501df (Web client: measurements in patient millimetres, tissues, tones, own looks and the search for a volume, as plain state)
     reset_view: 'Ansicht zurücksetzen',
     toggle_panel: 'Seitenleiste ein- oder ausblenden',
     help: 'Diese Übersicht',

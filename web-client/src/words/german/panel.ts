@@ -5,8 +5,18 @@ const plural = pluralIn('de');
 
 export const panel: Words['panel'] = {
   name: 'Seitenleiste',
+<<<<<<< HEAD
   tabs: { volumes: 'Volumen', styles: 'Stile', adjust: 'Anpassen', view: 'Ansicht' },
   reset: (group) => `${group}: zurücksetzen`,
+=======
+  tabs: {
+    volumes: 'Volumen',
+    styles: 'Stile',
+    adjust: 'Anpassen',
+    measure: 'Messen',
+    view: 'Ansicht',
+  },
+>>>>>>> 86501df (Web client: measurements in patient millimetres, tissues, tones, own looks and the search for a volume, as plain state)
   advanced: 'Erweitert',
 
   volumes: {

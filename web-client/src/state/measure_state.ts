@@ -1,0 +1,45 @@
+// Measuring: the tool in hand, the point that is being placed, and what was measured, by volume.
+import type { BranchName } from './filter_model.ts';
+import type { MeasuredPoint, MeasurementKind } from './measurement.ts';
+import type { Draft, MeasurementList } from './measurement_list.ts';
+import type { Point } from '../view/camera.ts';
+
+/** What lies under a point of the picture. */
+export interface Found extends MeasuredPoint {
+  readonly branch: BranchName;
+}
+
+/** The point that would be placed now. */
+export interface Candidate {
+  /** Device pixels of the picture. */
+  readonly position_px: Point;
+  /** Nothing where no surface is, or until the server has answered. */
+  readonly found: Found | undefined;
+  readonly answered: boolean;
+  /** Moved there by keys, not by a pointer: it has to be drawn and read out. */
+  readonly by_keys: boolean;
+}
+
+export interface MeasureState {
+  /** Its points so far; nothing while no tool is in hand. */
+  readonly draft: Draft | undefined;
+  readonly candidate: Candidate | undefined;
+  /** By the volume's id: what was measured in one comes back with it. */
+  readonly by_volume: ReadonlyMap<string, MeasurementList>;
+  /** Id of the measurement whose points can be moved. */
+  readonly selected: number | undefined;
+}
+
+export const NOTHING_MEASURED: MeasureState = {
+  draft: undefined,
+  candidate: undefined,
+  by_volume: new Map(),
+  selected: undefined,
+};
+
+export const toolInHand = ({ draft }: MeasureState): MeasurementKind | undefined => draft?.kind;
+
+export const measurementsOf = (
+  { by_volume }: MeasureState,
+  volume: { readonly id: string } | undefined,
+): MeasurementList => (volume && by_volume.get(volume.id)) ?? [];

@@ -1,0 +1,29 @@
+// Measured values in words of the page's language.
+import { words } from '../words/words.ts';
+import { sidedCoordinates } from '../view/orientation.ts';
+import type { Vector3 } from '../view/vector.ts';
+import type { MeasurementResult } from './measurement.ts';
+
+const DIGITS = 1;
+const VALUE_DIGITS = 4;
+
+/** Hounsfield values are whole numbers; what has no unit may be of any size. */
+export function valueText(value: number, unit: 'HU' | 'none'): string {
+  if (unit === 'HU') return `${words().number(value)} HU`;
+  const digits = Math.max(0, VALUE_DIGITS - 1 - Math.floor(Math.log10(Math.abs(value) || 1)));
+  return words().number(value, Math.min(VALUE_DIGITS, digits));
+}
+
+export function resultText({ value, unit }: MeasurementResult): string {
+  if (unit === 'mm') return `${words().number(value, DIGITS)} mm`;
+  if (unit === 'degrees') return `${words().number(value, DIGITS)}°`;
+  return valueText(value, unit);
+}
+
+/** 'L 12.3 · P 40.1 · S 8.8 mm' */
+export function positionText(position_mm: Vector3): string {
+  const parts = sidedCoordinates(position_mm).map(
+    ({ letter, distance_mm }) => `${letter} ${words().number(distance_mm, DIGITS)}`,
+  );
+  return `${parts.join(' · ')} mm`;
+}

@@ -1,0 +1,59 @@
+// The measurements of one volume as a list; every change is a new list.
+import {
+  isSamePoint,
+  POINT_COUNTS,
+  type MeasuredPoint,
+  type Measurement,
+  type MeasurementKind,
+} from './measurement.ts';
+
+export type MeasurementList = readonly Measurement[];
+
+export const LONGEST_NAME = 80;
+
+/** `title` and the smallest number that no name of the list has: 'Distance 2'. */
+export function freeName(title: string, list: MeasurementList): string {
+  const taken = new Set(list.map(({ name }) => name));
+  let number = 1;
+  while (taken.has(`${title} ${number}`)) number += 1;
+  return `${title} ${number}`;
+}
+
+/** An empty name leaves the old one. */
+export function renamed(list: MeasurementList, id: number, name: string): MeasurementList {
+  const clean = name.trim().slice(0, LONGEST_NAME);
+  if (!clean) return list;
+  return list.map((one) => (one.id === id ? { ...one, name: clean } : one));
+}
+
+export const without = (list: MeasurementList, id: number): MeasurementList =>
+  list.filter((one) => one.id !== id);
+
+/** A point that would fall on another of the same measurement stays where it is. */
+export function withPoint(
+  list: MeasurementList,
+  id: number,
+  index: number,
+  point: MeasuredPoint,
+): MeasurementList {
+  return list.map((one) => {
+    if (one.id !== id || !one.points[index]) return one;
+    const others = one.points.toSpliced(index, 1);
+    if (others.some((other) => isSamePoint(other, point))) return one;
+    return { ...one, points: one.points.with(index, point) };
+  });
+}
+
+/** Points of a measurement that is not whole yet. */
+export interface Draft {
+  readonly kind: MeasurementKind;
+  readonly points: readonly MeasuredPoint[];
+}
+
+/** One point more; a point on another of the draft's changes nothing. */
+export function extended(draft: Draft, point: MeasuredPoint): Draft {
+  if (draft.points.some((other) => isSamePoint(other, point))) return draft;
+  return { ...draft, points: [...draft.points, point] };
+}
+
+export const isWhole = ({ kind, points }: Draft): boolean => points.length >= POINT_COUNTS[kind];

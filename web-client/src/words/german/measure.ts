@@ -1,0 +1,39 @@
+// Messen: Werkzeuge, was sie sagen, und die Liste des Gemessenen.
+import type { Words } from '../words.ts';
+
+export const measure: Words['measure'] = {
+  kinds: { distance: 'Strecke', angle: 'Winkel', probe: 'Messpunkt' },
+  tools: 'Messwerkzeuge',
+  tool_titles: {
+    distance: 'Strecke zwischen zwei Punkten (m)',
+    angle: 'Winkel zwischen drei Punkten (a)',
+    probe: 'Wert und Lage an einem Punkt (v)',
+  },
+  steps: {
+    distance: ['Strecke: ersten Punkt wählen', 'Zweiten Punkt wählen'],
+    angle: ['Winkel: ersten Punkt wählen', 'Scheitel wählen', 'Letzten Punkt wählen'],
+    probe: ['Messpunkt: Punkt wählen'],
+  },
+  surface_hint: 'Oberfläche anklicken oder antippen; Ziehen dreht',
+  nothing_there: 'Hier ist keine Oberfläche',
+  put_away: 'Werkzeug weglegen',
+  take_back: 'Letzten Punkt zurücknehmen',
+
+  none: 'In diesem Volumen wurde noch nichts gemessen.',
+  how: 'Punkte liegen auf der gezeichneten Oberfläche und bleiben an ihrer Stelle im Patienten.',
+  list: 'Gemessen',
+  rename: (name) => `Name von ${name}`,
+  show: (name) => `${name} im Bild auswählen`,
+  remove: (name) => `${name} löschen`,
+  remove_all: 'Alle löschen',
+  as_json: 'Als JSON speichern',
+  as_csv: 'Als CSV speichern',
+  point: (name, number) => `${name}, Punkt ${number}`,
+  point_hint: 'Pfeiltasten bewegen den Punkt über die Oberfläche, mit Umschalt um einzelne Pixel.',
+  measured: (name, result) => `${name}: ${result}`,
+  file: (volume) => `cutaway ${volume} Messungen`,
+
+  at_target_depth: 'Maßstab in der Tiefe der Bildmitte; was näher liegt, ist größer',
+  everywhere: 'Maßstab des ganzen Bildes',
+  scale: (length) => `Maßstab: ${length}`,
+};
