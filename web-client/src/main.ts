@@ -25,16 +25,18 @@ function saveFile(name: string, content: Blob): void {
 }
 
 const canvas = document.createElement('canvas');
-const session = openViewerSession(canvas, webSocketUrl(location), saveFile);
-const storage = new PreferenceStore(() => localStorage);
-const fault = keepPreferences(session, storage, { ...DEFAULT_PREFERENCES, panel_open: !isPhone() });
+const openStorage = () => localStorage;
+const session = openViewerSession(canvas, webSocketUrl(location), { saveFile, openStorage });
+const defaults = { ...DEFAULT_PREFERENCES, panel_open: !isPhone() };
+const fault = keepPreferences(session, new PreferenceStore(openStorage), defaults);
 keepLook(session, document, matchMedia('(prefers-color-scheme: light)'));
 keepSceneInAddress(session);
-listenToKeys(window, session.commands);
+listenToKeys(window, session);
 observeHeldPointer((pointer_held) => session.store.update({ pointer_held }));
 
 await keepSpeaking(session, document.documentElement, navigator.languages);
 sayLeftOut(session, fault);
+session.own_styling.restore();
 
 const app = new CutawayApp();
 app.session = session;

@@ -41,10 +41,16 @@ export class Harness {
   readonly sent: ClientMessage[] = [];
   readonly frames: (() => void)[] = [];
   readonly saved: [string, Blob][] = [];
+  /** What the browser keeps. */
+  readonly kept = new Map<string, string>();
   private listener: (event: FromWorker) => void = () => undefined;
   readonly session: ViewerSession;
 
-  constructor(readonly address = '') {
+  constructor(
+    readonly address = '',
+    kept: Readonly<Record<string, string>> = {},
+  ) {
+    for (const [key, text] of Object.entries(kept)) this.kept.set(key, text);
     vi.stubGlobal('requestAnimationFrame', (run: () => void) => this.frames.push(run));
     this.session = new ViewerSession({
       openStream: (listener) => {
@@ -53,6 +59,10 @@ export class Harness {
       },
       address: () => this.address,
       saveFile: (name, content) => this.saved.push([name, content]),
+      openStorage: () => ({
+        getItem: (key) => this.kept.get(key) ?? null,
+        setItem: (key, text) => void this.kept.set(key, text),
+      }),
     });
   }
 

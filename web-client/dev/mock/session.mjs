@@ -100,6 +100,7 @@ export class MockSession {
       this.#viewport = { width_px: message.width_px, height_px: message.height_px };
       return this.#resolve(false);
     }
+    if (message.type === 'pick') return this.#pick(message);
     if (message.type === 'drag_lens') return this.#dragLens(message);
     if (message.type === 'scene') return this.#changeScene(message);
   }
@@ -178,6 +179,13 @@ export class MockSession {
     if (!centre_mm) return;
     this.#document = mergePatch(this.#document, { lens: { centre_mm } });
     this.#resolve(true);
+  }
+
+  #pick({ request, position_px }) {
+    const position_mm = this.#scene && surfaceUnder(this.#scene, this.#volume, position_px);
+    const value = this.#scene?.context.surface.iso_value;
+    const hit = position_mm && { position_mm, value, units: 'HU', branch: 'context' };
+    this.#send({ type: 'picked', request, ...hit });
   }
 
   #resolve(tell) {

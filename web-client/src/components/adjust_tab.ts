@@ -1,17 +1,17 @@
 // How things look, in detail: what `capabilities` offers for both branches, the lens and the light.
-import { css, html, nothing } from 'lit';
+import { css, html } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import type { CapabilitiesMessage, Scene, VolumeSummary } from '../protocol/messages.ts';
-import type { Control, NumberControl } from '../state/controls.ts';
+import type { Control } from '../state/controls.ts';
 import { filterListModel, type BranchName } from '../state/filter_model.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
 import { moduleModel } from '../state/module_model.ts';
 import { backgroundControl, lightControls, sceneChoiceControl } from '../state/scene_controls.ts';
-import { bandModel, type BandModel } from '../state/surface_controls.ts';
+import { bandModel } from '../state/surface_controls.ts';
+import { tissuePresets } from '../state/tissue_presets.ts';
 import { shared } from '../styles/shared.ts';
+import './band_editor.ts';
 import './filter_list.ts';
-import type { HistogramBand } from './histogram.ts';
-import './histogram.ts';
 import './lens_section.ts';
 import './section.ts';
 import { SessionElement } from './session_element.ts';
@@ -36,15 +36,6 @@ export class AdjustTab extends SessionElement {
         font-size: 12px;
         font-weight: 500;
       }
-      cutaway-histogram {
-        margin: 0 8px -8px;
-      }
-      /* As wide as the sliders below it. */
-      @media (pointer: coarse) {
-        cutaway-histogram {
-          margin: 0 12px -8px;
-        }
-      }
     `,
   ];
 
@@ -68,7 +59,7 @@ export class AdjustTab extends SessionElement {
   }
 
   private branch(branch: BranchName, known: Known) {
-    const { capabilities, scene, volume } = known;
+    const { capabilities, scene } = known;
     const texts = words().panel.adjust;
     const [heading, hint] = [texts[branch], texts[`${branch}_hint`]];
     const shading = moduleModel(
@@ -83,8 +74,7 @@ export class AdjustTab extends SessionElement {
       ?open=${branch === 'focus'}
       .reset=${() => this.session.commands.resetGroup(branch)}
     >
-      ${this.band(bandModel(branch, scene, volume), volume, heading)}
-      ${this.field(shading.choice, heading)}
+      ${this.band(branch, known, heading)} ${this.field(shading.choice, heading)}
       <cutaway-module-fields
         .controls=${shading.controls}
         .group=${heading}
@@ -99,17 +89,16 @@ export class AdjustTab extends SessionElement {
     </cutaway-section>`;
   }
 
-  private band(
-    { lower, has_upper, upper, opacity }: BandModel,
-    { histogram }: VolumeSummary,
-    group: string,
-  ) {
-    const share = ({ value, minimum, maximum }: NumberControl): number =>
-      maximum > minimum ? (value - minimum) / (maximum - minimum) : 0;
-    const band: HistogramBand = { lower: share(lower), upper: upper && share(upper) };
-    return html`<cutaway-histogram .counts=${histogram} .band=${band}></cutaway-histogram>
-      ${this.field(lower, group)} ${this.field(has_upper, group)}
-      ${upper ? this.field(upper, group) : nothing} ${this.field(opacity, group)}`;
+  private band(branch: BranchName, { scene, volume }: Known, group: string) {
+    const model = bandModel(branch, scene, volume);
+    return html`<cutaway-band-editor
+        .model=${model}
+        .counts=${volume.histogram}
+        .tissues=${tissuePresets(branch, scene, volume)}
+        .group=${group}
+        .change=${this.change}
+      ></cutaway-band-editor>
+      ${this.field(model.opacity, group)}`;
   }
 
   private light({ scene }: Known) {

@@ -36,6 +36,8 @@ export class ControlField extends LitElement {
   @property({ attribute: false }) control!: Control;
   /** Says whose control it is, for a name that is unique on the page: 'Focus'. */
   @property({ attribute: false }) group = '';
+  /** A number without its slider: what stands above it takes that place. */
+  @property({ attribute: false }) bare = false;
   @property({ attribute: false }) change!: (patch: JsonObject) => void;
 
   static override styles = [shared, control_styles, control_field_styles];
@@ -95,16 +97,20 @@ export class ControlField extends LitElement {
           /><span class="unit">${unitText(control.unit)}</span>
         </span>
       </div>
-      <wa-slider
-        label=${this.fullName}
-        min=${control.minimum}
-        max=${control.maximum}
-        step=${control.step}
-        .value=${live(control.value)}
-        .valueFormatter=${(value: number) => this.valueText(value, control)}
-        @input=${(event: Event) => this.setNumber(inputValue(event), control)}
-      ></wa-slider>
+      ${this.bare ? nothing : this.slider(control)}
     `;
+  }
+
+  private slider(control: NumberControl) {
+    return html`<wa-slider
+      label=${this.fullName}
+      min=${control.minimum}
+      max=${control.maximum}
+      step=${control.step}
+      .value=${live(control.value)}
+      .valueFormatter=${(value: number) => this.valueText(value, control)}
+      @input=${(event: Event) => this.setNumber(inputValue(event), control)}
+    ></wa-slider>`;
   }
 
   private choiceField(control: ChoiceControl) {

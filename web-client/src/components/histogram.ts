@@ -2,7 +2,7 @@
 import { css, html, LitElement, nothing, svg } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 
-const HEIGHT = 34;
+const HEIGHT = 56;
 
 /** Ends of a band, 0..1 over the range. */
 export interface HistogramBand {
@@ -20,7 +20,7 @@ export class HistogramView extends LitElement {
     svg {
       display: block;
       width: 100%;
-      height: 34px;
+      height: 56px;
     }
     path {
       fill: var(--line-strong);

@@ -1,6 +1,7 @@
 // The keys, in groups, as the keyboards of the page's language have them.
 import { html } from 'lit';
-import { KEY_BINDINGS, type KeyGroup } from '../interaction/keyboard.ts';
+import type { KeyGroup } from '../interaction/key_binding.ts';
+import { KEY_BINDINGS } from '../interaction/keyboard.ts';
 import { words } from '../words/words.ts';
 
 /** 'Ctrl + Z' is 'Strg + Z' on a German keyboard. */

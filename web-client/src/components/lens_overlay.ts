@@ -4,6 +4,7 @@ import { css, html, nothing, svg } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { styleMap } from 'lit/directives/style-map.js';
 import { picturePoint } from '../interaction/picture_point.ts';
+import { toolInHand } from '../state/measure_state.ts';
 import { cameraOf } from '../state/scene_parts.ts';
 import { pixelSizeMm, projectPx, type Camera, type Point, type Viewport } from '../view/camera.ts';
 import { pictureToElement } from '../view/picture_fit.ts';
@@ -32,6 +33,7 @@ export class LensOverlay extends SessionElement {
     'scene',
     'viewport',
     'lens_follows',
+    'measure',
   ] as const;
 
   /** While the lens is dragged: where the pointer is, device pixels. */
@@ -150,7 +152,7 @@ export class LensOverlay extends SessionElement {
       <svg viewBox="0 0 ${width_px} ${height_px}" aria-hidden="true">
         ${svg`<polygon class="halo" points=${points} /><polygon points=${points} />`}
       </svg>
-      ${this.state.lens_follows ? nothing : [this.moveGrip(lens), this.sizeGrip(lens, right_px)]}
+      ${this.state.lens_follows || toolInHand(this.state.measure) ? nothing : [this.moveGrip(lens), this.sizeGrip(lens, right_px)]}
     `;
   }
 

@@ -3,9 +3,11 @@ import { css, html, LitElement, nothing } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { JsonObject } from '../state/merge_patch.ts';
 import type { ControlLevels } from '../state/module_model.ts';
+import type { ToneRamp } from '../state/tone_ramp.ts';
 import type { Control } from '../state/controls.ts';
 import { shared } from '../styles/shared.ts';
 import './control_field.ts';
+import './tone_ramp.ts';
 import { words } from '../words/words.ts';
 
 @customElement('cutaway-module-fields')
@@ -32,9 +34,9 @@ export class ModuleFields extends LitElement {
   ];
 
   override render() {
-    const { basic, advanced } = this.controls;
+    const { ramp, basic, advanced } = this.controls;
     return html`
-      ${basic.map((control) => this.field(control))}
+      ${ramp ? this.tones(ramp) : nothing} ${basic.map((control) => this.field(control))}
       ${
         advanced.length === 0
           ? nothing
@@ -44,6 +46,14 @@ export class ModuleFields extends LitElement {
             </details>`
       }
     `;
+  }
+
+  private tones(ramp: ToneRamp) {
+    return html`<cutaway-tone-ramp
+      .ramp=${ramp}
+      .group=${this.group}
+      .change=${this.change}
+    ></cutaway-tone-ramp>`;
   }
 
   private field(control: Control) {

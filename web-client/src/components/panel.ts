@@ -2,9 +2,11 @@
 // it is closed there.
 import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
+import { keyed } from 'lit/directives/keyed.js';
 import type { PanelTab } from '../state/viewer_state.ts';
 import { shared } from '../styles/shared.ts';
 import './adjust_tab.ts';
+import './measure_tab.ts';
 import { isPhone } from './phone.ts';
 import { SessionElement } from './session_element.ts';
 import './style_gallery.ts';
@@ -12,7 +14,7 @@ import './view_tab.ts';
 import './volume_list.ts';
 import { words } from '../words/words.ts';
 
-const TABS: readonly PanelTab[] = ['volumes', 'styles', 'adjust', 'view'];
+const TABS: readonly PanelTab[] = ['volumes', 'styles', 'adjust', 'measure', 'view'];
 
 @customElement('cutaway-panel')
 export class CutawayPanel extends SessionElement {
@@ -29,7 +31,7 @@ export class CutawayPanel extends SessionElement {
       }
       [role='tablist'] {
         display: grid;
-        grid-template-columns: repeat(4, 1fr);
+        grid-template-columns: repeat(5, 1fr);
         flex: none;
         border-bottom: 1px solid var(--line);
       }
@@ -102,20 +104,24 @@ export class CutawayPanel extends SessionElement {
       <div role="tablist" aria-label=${words().panel.name} @keydown=${this.onKey}>
         ${TABS.map((tab) => this.tab(tab))}
       </div>
-      ${
-        preferences.panel_open
-          ? html`<div
-              role="tabpanel"
-              class=${panel_tab}
-              id="tabpanel"
-              aria-labelledby="tab-${panel_tab}"
-              tabindex="-1"
-            >
-              ${this.content(panel_tab)}
-            </div>`
-          : nothing
-      }
+      ${preferences.panel_open ? this.tabPanel(panel_tab) : nothing}
     `;
+  }
+
+  /** A new element for each tab, which begins at its top. */
+  private tabPanel(panel_tab: PanelTab) {
+    return keyed(
+      panel_tab,
+      html`<div
+        role="tabpanel"
+        class=${panel_tab}
+        id="tabpanel"
+        aria-labelledby="tab-${panel_tab}"
+        tabindex="-1"
+      >
+        ${this.content(panel_tab)}
+      </div>`,
+    );
   }
 
   private tab(tab: PanelTab) {
@@ -161,6 +167,8 @@ export class CutawayPanel extends SessionElement {
         return html`<cutaway-style-gallery .session=${this.session}></cutaway-style-gallery>`;
       case 'adjust':
         return html`<cutaway-adjust-tab .session=${this.session}></cutaway-adjust-tab>`;
+      case 'measure':
+        return html`<cutaway-measure-tab .session=${this.session}></cutaway-measure-tab>`;
       case 'view':
         return html`<cutaway-view-tab .session=${this.session}></cutaway-view-tab>`;
     }

@@ -6,11 +6,14 @@ import { observeViewport } from '../interaction/viewport_size.ts';
 import type { CapabilitiesMessage, Style } from '../protocol/messages.ts';
 import { previewSize } from '../state/preview_subject.ts';
 import { groupOf, stylesOf } from '../state/style_groups.ts';
+import { asStyle } from '../state/own_styles.ts';
 import { matchingStyle } from '../state/style_patch.ts';
 import { swatchOf } from '../state/style_swatch.ts';
 import { shared } from '../styles/shared.ts';
 import type { Viewport } from '../view/camera.ts';
 import './compare_button.ts';
+import './detail_sliders.ts';
+import './own_styles.ts';
 import './section.ts';
 import { SessionElement } from './session_element.ts';
 import './style_picture.ts';
@@ -18,7 +21,7 @@ import { words } from '../words/words.ts';
 
 @customElement('cutaway-style-gallery')
 export class StyleGallery extends SessionElement {
-  protected override readonly draws = ['capabilities', 'scene', 'previews'] as const;
+  protected override readonly draws = ['capabilities', 'scene', 'previews', 'own_styles'] as const;
 
   private readonly in_view = new Set<string>();
   private readonly watched = new WeakSet<Element>();
@@ -139,6 +142,7 @@ export class StyleGallery extends SessionElement {
     this.studies_open ||= groupOf(worn) === 'study';
     return html`${this.caption(worn)}
       <cutaway-compare-button .session=${this.session}></cutaway-compare-button>
+      <cutaway-detail-sliders .session=${this.session}></cutaway-detail-sliders>
       <h2 id="illustrations">${words().panel.styles.illustrations}</h2>
       ${this.cards('illustrations', stylesOf('illustration', capabilities.styles), worn)}
       ${
@@ -151,16 +155,22 @@ export class StyleGallery extends SessionElement {
             >
               ${this.cards('', studies, worn)}
             </cutaway-section>`
-      }`;
+      }
+      <cutaway-own-styles .session=${this.session}></cutaway-own-styles>`;
   }
 
   private caption(worn: Style | undefined) {
     const { own_look, own_look_hint } = words().panel.styles;
+    const own = worn
+      ? undefined
+      : matchingStyle(this.state.scene, this.state.own_styles.map(asStyle));
     return html`<p class="worn quiet small">
       ${
         worn
           ? html`<strong>${worn.title}.</strong> ${worn.description}`
-          : html`<strong>${own_look}</strong> ${own_look_hint}`
+          : own
+            ? html`<strong>${own.title}.</strong> ${words().own_styles.hint}`
+            : html`<strong>${own_look}</strong> ${own_look_hint}`
       }
     </p>`;
   }

@@ -4,18 +4,24 @@ import { customElement, property, query } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import { applyKey } from '../interaction/keyboard.ts';
 import { followWithLens } from '../interaction/lens_follow.ts';
+import { placeWithPointer, SLIP_CSS_PX } from '../interaction/placing.ts';
 import { picturePoint } from '../interaction/picture_point.ts';
 import { PointerGestures } from '../interaction/pointer_gestures.ts';
 import { observeViewport, withinLimits } from '../interaction/viewport_size.ts';
 import { listenToWheel } from '../interaction/wheel.ts';
 import { linkReason } from '../state/link_reason.ts';
-import type { Viewport } from '../view/camera.ts';
+import { toolInHand } from '../state/measure_state.ts';
+import type { Point, Viewport } from '../view/camera.ts';
 import { shared } from '../styles/shared.ts';
 import './lens_overlay.ts';
 import './loading_card.ts';
+import './measure_overlay.ts';
+import './measure_readout.ts';
+import './measure_toolbar.ts';
 import './orientation_cube.ts';
 import './orientation_marks.ts';
 import './picture_notices.ts';
+import './scale_bar.ts';
 import { SessionElement } from './session_element.ts';
 import { words } from '../words/words.ts';
 
@@ -31,6 +37,7 @@ export class CutawayViewport extends SessionElement {
     'viewport',
     'lens_follows',
     'comparing',
+    'measure',
   ] as const;
 
   @property({ attribute: false }) canvas!: HTMLCanvasElement;
@@ -56,7 +63,8 @@ export class CutawayViewport extends SessionElement {
         user-select: none;
         -webkit-user-select: none;
       }
-      .stage.follows {
+      .stage.follows,
+      .stage.measures {
         cursor: crosshair;
       }
       .stage:active {
@@ -122,17 +130,26 @@ export class CutawayViewport extends SessionElement {
   ];
 
   override firstUpdated(): void {
-    const { commands } = this.session;
+    const { commands, measuring } = this.session;
+    const measures = (): boolean => toolInHand(this.state.measure) !== undefined;
     const device_pixels = (): number =>
       (this.size?.width_px ?? 1) / Math.max(1, this.stage.clientWidth);
-    new PointerGestures(this.stage, commands, device_pixels);
+    new PointerGestures(this.stage, commands, device_pixels, () => (measures() ? SLIP_CSS_PX : 0));
+    placeWithPointer(this.stage, {
+      active: measures,
+      hovered: (event) => measuring.point(this.picturePoint(event)),
+      left: () => measuring.pointAway(),
+      pressed: (event) => measuring.place(this.picturePoint(event)),
+    });
     listenToWheel(this, commands);
     followWithLens(this, this.stage, {
       follows: () => this.state.lens_follows && this.state.scene?.lens?.mode !== 'none',
-      moved: (event) => commands.dragLens(picturePoint(event, this, this.state.viewport)),
+      moved: (event) => commands.dragLens(this.picturePoint(event)),
       ended: () => commands.followPointer(false),
     });
-    this.stage.addEventListener('keydown', (event) => applyKey(event, commands, device_pixels()));
+    this.stage.addEventListener('keydown', (event) =>
+      applyKey(event, this.session, device_pixels()),
+    );
     this.observer = observeViewport(this.canvas, (size) => this.resized(size));
   }
 
@@ -144,6 +161,10 @@ export class CutawayViewport extends SessionElement {
   /** The server's limits may come after the element has its size, or change with a new server. */
   override updated(): void {
     if (this.size) this.resized(this.size);
+  }
+
+  private picturePoint(event: MouseEvent): Point {
+    return picturePoint(event, this, this.state.viewport);
   }
 
   private resized(size: Viewport): void {
@@ -158,11 +179,11 @@ export class CutawayViewport extends SessionElement {
   }
 
   override render() {
-    const { link, shown, lens_follows } = this.state;
+    const { link, shown, lens_follows, measure } = this.state;
     const offline = link.phase !== 'connected' && shown !== undefined;
     return html`
       <div
-        class="stage ${classMap({ offline, follows: lens_follows })}"
+        class="stage ${classMap({ offline, follows: lens_follows, measures: toolInHand(measure) !== undefined })}"
         tabindex="0"
         role="application"
         aria-label=${words().page.picture}
@@ -172,9 +193,13 @@ export class CutawayViewport extends SessionElement {
         ${this.canvas}
       </div>
       <cutaway-lens-overlay .session=${this.session}></cutaway-lens-overlay>
+      <cutaway-measure-overlay .session=${this.session}></cutaway-measure-overlay>
       <cutaway-orientation-marks .session=${this.session}></cutaway-orientation-marks>
       <cutaway-orientation-cube .session=${this.session}></cutaway-orientation-cube>
       <cutaway-picture-notices .session=${this.session}></cutaway-picture-notices>
+      <cutaway-scale-bar .session=${this.session}></cutaway-scale-bar>
+      <cutaway-measure-toolbar .session=${this.session}></cutaway-measure-toolbar>
+      <cutaway-measure-readout .session=${this.session}></cutaway-measure-readout>
       ${this.emptyNote()} ${this.offlineBanner()} ${this.comparison()}
       <cutaway-loading-card .session=${this.session}></cutaway-loading-card>
     `;

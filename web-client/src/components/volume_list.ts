@@ -1,12 +1,23 @@
 // The volumes that the server can open, and what it refused.
 import { css, html, nothing } from 'lit';
-import { customElement } from 'lit/decorators.js';
+import { customElement, state } from 'lit/decorators.js';
+import { live } from 'lit/directives/live.js';
 import type { RefusedEntry, VolumeEntry } from '../protocol/messages.ts';
+import {
+  EVERY_VOLUME,
+  matchingVolumes,
+  modalitiesOf,
+  type VolumeFilter,
+} from '../state/volume_search.ts';
 import { volumeFacts, volumeWarnings } from '../state/volume_text.ts';
+import { chip_styles } from '../styles/chips.ts';
 import { shared } from '../styles/shared.ts';
 import { overallFraction } from './loading_card.ts';
 import { SessionElement } from './session_element.ts';
 import { words } from '../words/words.ts';
+
+/** So many are found at a glance. */
+const FEW = 3;
 
 @customElement('cutaway-volume-list')
 export class VolumeList extends SessionElement {
@@ -18,8 +29,11 @@ export class VolumeList extends SessionElement {
     'loading',
   ] as const;
 
+  @state() private filter: VolumeFilter = EVERY_VOLUME;
+
   static override styles = [
     shared,
+    chip_styles,
     css`
       ul {
         display: grid;
@@ -52,11 +66,48 @@ export class VolumeList extends SessionElement {
         overflow-wrap: anywhere;
       }
       .progress {
+        position: relative;
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        padding-left: 12px;
+        font-variant-numeric: tabular-nums;
+      }
+      .bar {
         position: absolute;
         left: 0;
-        bottom: 0;
+        top: 1px;
         height: 3px;
+        border-radius: 2px;
         background: var(--accent);
+        transition: width 160ms;
+      }
+      .search {
+        display: grid;
+        gap: 8px;
+        margin-bottom: 12px;
+      }
+      .search input {
+        min-width: 0;
+        padding: 8px 12px;
+        border: 1px solid var(--line-strong);
+        border-radius: 9px;
+        background: var(--surface-raised);
+        color: var(--text);
+        font: inherit;
+      }
+      .search input::placeholder {
+        color: var(--text-quiet);
+      }
+      .modalities {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 6px;
+      }
+      @media (pointer: coarse) {
+        .search input {
+          min-height: 44px;
+        }
       }
       .warning {
         display: flex;
@@ -95,20 +146,57 @@ export class VolumeList extends SessionElement {
 
   override render() {
     const { volumes, refused, scanning } = this.state;
-    const none = volumes.length === 0 && !scanning;
+    const found = matchingVolumes(volumes, this.filter);
+    const texts = words().panel.volumes;
+    const nothing_found = volumes.length > 0 && found.length === 0;
     return html`
-      ${none ? html`<p class="quiet">${words().panel.volumes.none}</p>` : nothing}
+      ${volumes.length > FEW ? this.search(volumes) : nothing}
+      ${volumes.length === 0 && !scanning ? html`<p class="quiet">${texts.none}</p>` : nothing}
       <ul>
-        ${volumes.map((entry) => html`<li>${this.entry(entry)}</li>`)}
+        ${found.map((entry) => html`<li>${this.entry(entry)}${this.progress(entry)}</li>`)}
       </ul>
-      ${scanning ? html`<p class="quiet scanning">${words().panel.volumes.scanning}</p>` : nothing}
+      <p class="quiet" role="status">${nothing_found ? words().volume_browser.none_found : ''}</p>
+      ${scanning ? html`<p class="quiet scanning">${texts.scanning}</p>` : nothing}
       ${refused.length > 0 ? this.refusedList(refused) : nothing}
     `;
   }
 
+  private search(volumes: readonly VolumeEntry[]) {
+    const modalities = modalitiesOf(volumes);
+    const { search, modality, any } = words().volume_browser;
+    return html`<div class="search" role="search">
+      <input
+        type="search"
+        aria-label=${search}
+        placeholder=${search}
+        autocomplete="off"
+        spellcheck="false"
+        .value=${live(this.filter.text)}
+        @input=${(event: Event) =>
+          (this.filter = { ...this.filter, text: (event.target as HTMLInputElement).value })}
+      />
+      ${
+        modalities.length < 2
+          ? nothing
+          : html`<div class="modalities" role="group" aria-label=${modality}>
+              ${['', ...modalities].map((one) => this.modality(one, one || any))}
+            </div>`
+      }
+    </div>`;
+  }
+
+  private modality(modality: string, label: string) {
+    return html`<button
+      class="chip"
+      aria-pressed=${this.filter.modality === modality ? 'true' : 'false'}
+      @click=${() => (this.filter = { ...this.filter, modality })}
+    >
+      ${label}
+    </button>`;
+  }
+
   private entry(entry: VolumeEntry) {
-    const { volume, loading } = this.state;
-    const percent = loading?.volume === entry.id ? overallFraction(loading) * 100 : 0;
+    const { volume } = this.state;
     return html`<button
       class="entry"
       data-volume=${entry.id}
@@ -121,8 +209,26 @@ export class VolumeList extends SessionElement {
         (text) =>
           html`<span class="warning"><wa-icon name="warning"></wa-icon><span>${text}</span></span>`,
       )}
-      <span class="progress" style="width: ${percent}%"></span>
     </button>`;
+  }
+
+  private progress({ id, title }: VolumeEntry) {
+    const { loading } = this.state;
+    if (loading?.volume !== id) return nothing;
+    const percent = Math.round(overallFraction(loading) * 100);
+    const stage = words().page.stages[loading.stage];
+    return html`<div class="progress" data-part="volume-progress">
+      <span class="bar" style="width: ${percent}%"></span>
+      <span class="quiet small">${stage} · ${percent} %</span>
+      <button
+        class="icon-button"
+        aria-label=${words().volume_browser.cancel(title)}
+        title=${words().volume_browser.cancel(title)}
+        @click=${() => this.session.commands.cancelLoad()}
+      >
+        <wa-icon name="close"></wa-icon>
+      </button>
+    </div>`;
   }
 
   private refusedList(refused: readonly RefusedEntry[]) {

@@ -1,6 +1,7 @@
 // Keys while the picture has the focus. The help sheet lists the same table.
 import type { Commands } from '../session/commands.ts';
-import type { Words } from '../words/words.ts';
+import { ARROWS, type KeyBinding, type KeyTarget } from './key_binding.ts';
+import { MEASURING_KEYS } from './measuring_keys.ts';
 
 const TURN_CSS_PIXELS = 24;
 const NUDGE_CSS_PIXELS = 12;
@@ -8,37 +9,19 @@ const ZOOM_FACTOR = 1.1;
 const LENS_FACTOR = 1.08;
 const ROLL_RADIANS = Math.PI / 36;
 
-export type KeyGroup = keyof Words['keys']['groups'];
-
-export interface KeyBinding {
-  /** As the help sheet shows them. */
-  readonly keys: string;
-  readonly meaning: keyof Words['keys']['meanings'];
-  readonly group: KeyGroup;
-  /** Wherever the focus is, but in a text field; else only while the picture has it. */
-  readonly anywhere?: boolean;
-  /** Whether the event is one of them; if so it has been carried out. */
-  readonly apply: (event: KeyboardEvent, commands: Commands, device_pixels: number) => boolean;
-}
-
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
-
 type ArrowAction = (commands: Commands, dx_px: number, dy_px: number) => void;
+
+const heldKey = ({ shiftKey, altKey }: KeyboardEvent): 'shift' | 'alt' | 'none' =>
+  shiftKey ? 'shift' : altKey ? 'alt' : 'none';
 
 function arrows(
   modifier: 'none' | 'shift' | 'alt',
   css_pixels: number,
   action: ArrowAction,
 ): KeyBinding['apply'] {
-  return (event, commands, device_pixels) => {
+  return (event, { commands }, device_pixels) => {
     const direction = ARROWS[event.key];
-    const held = event.shiftKey ? 'shift' : event.altKey ? 'alt' : 'none';
-    if (!direction || held !== modifier || event.ctrlKey || event.metaKey) return false;
+    if (!direction || heldKey(event) !== modifier || event.ctrlKey || event.metaKey) return false;
     const distance_px = css_pixels * device_pixels;
     action(commands, direction[0] * distance_px, direction[1] * distance_px);
     return true;
@@ -46,7 +29,7 @@ function arrows(
 }
 
 function key(names: string, action: (commands: Commands) => void): KeyBinding['apply'] {
-  return (event, commands) => {
+  return (event, { commands }) => {
     if (!names.split(' ').includes(event.key) || event.ctrlKey || event.metaKey || event.altKey)
       return false;
     action(commands);
@@ -59,7 +42,7 @@ function chord(
   wanted: (key: string, shift: boolean) => boolean,
   action: (commands: Commands) => void,
 ): KeyBinding['apply'] {
-  return (event, commands) => {
+  return (event, { commands }) => {
     const { key, shiftKey, ctrlKey, metaKey, altKey } = event;
     if (!(ctrlKey || metaKey) || altKey || !wanted(key.toLowerCase(), shiftKey)) return false;
     action(commands);
@@ -68,6 +51,7 @@ function chord(
 }
 
 export const KEY_BINDINGS: readonly KeyBinding[] = [
+  ...MEASURING_KEYS,
   {
     keys: '← ↑ → ↓',
     meaning: 'rotate',
@@ -148,20 +132,16 @@ export const KEY_BINDINGS: readonly KeyBinding[] = [
 const applied = (
   bindings: readonly KeyBinding[],
   event: KeyboardEvent,
-  commands: Commands,
+  target: KeyTarget,
   device_pixels: number,
 ): void => {
-  if (bindings.some((binding) => binding.apply(event, commands, device_pixels)))
+  if (bindings.some((binding) => binding.apply(event, target, device_pixels)))
     event.preventDefault();
 };
 
-export function applyKey(event: KeyboardEvent, commands: Commands, device_pixels: number): void {
-  applied(
-    KEY_BINDINGS.filter(({ anywhere }) => !anywhere),
-    event,
-    commands,
-    device_pixels,
-  );
+export function applyKey(event: KeyboardEvent, target: KeyTarget, device_pixels: number): void {
+  const bindings = KEY_BINDINGS.filter(({ anywhere }) => !anywhere);
+  applied(bindings, event, target, device_pixels);
 }
 
 const TEXT_FIELDS = /^(text|number|search|email|url|tel|password)$/;
@@ -174,12 +154,12 @@ function takesText(event: KeyboardEvent): boolean {
 }
 
 /** For keys that work anywhere, and for a held key that is let go. Lasts as long as the page. */
-export function listenToKeys(page: Window, commands: Commands): void {
+export function listenToKeys(page: Window, target: KeyTarget): void {
   const anywhere = KEY_BINDINGS.filter((binding) => binding.anywhere);
   page.addEventListener('keydown', (event) => {
-    if (!takesText(event)) applied(anywhere, event, commands, page.devicePixelRatio);
+    if (!takesText(event)) applied(anywhere, event, target, page.devicePixelRatio);
   });
-  const released = (): void => commands.compare(false);
+  const released = (): void => target.commands.compare(false);
   page.addEventListener('keyup', ({ key: name }) => {
     if (name === 'b') released();
   });

@@ -12,6 +12,8 @@ type Motion = 'orbit' | 'pan' | 'zoom';
 interface Pointer {
   x: number;
   y: number;
+  /** Has gone farther than a hand slips. */
+  moves: boolean;
   readonly motion: Motion;
 }
 
@@ -45,6 +47,8 @@ export class PointerGestures {
     private readonly surface: HTMLElement,
     private readonly target: GestureTarget,
     private readonly device_pixels: () => number,
+    /** How far a press may slip before it moves anything, CSS pixels. */
+    private readonly slip_css_px: () => number,
   ) {
     surface.addEventListener('pointerdown', (event) => this.down(event));
     surface.addEventListener('pointermove', (event) => this.moved(event));
@@ -61,6 +65,7 @@ export class PointerGestures {
     this.pointers.set(event.pointerId, {
       x: event.clientX,
       y: event.clientY,
+      moves: false,
       motion: motionOf(event),
     });
   }
@@ -71,6 +76,8 @@ export class PointerGestures {
     const before = pairOf([...this.pointers.values()]);
     const dx = event.clientX - pointer.x;
     const dy = event.clientY - pointer.y;
+    pointer.moves ||= Math.hypot(dx, dy) > this.slip_css_px() || before !== undefined;
+    if (!pointer.moves) return;
     pointer.x = event.clientX;
     pointer.y = event.clientY;
     if (before) this.pairMoved(before);

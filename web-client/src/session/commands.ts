@@ -118,11 +118,16 @@ export class Commands {
   }
 
   applyStyle(style: Style): void {
-    const { capabilities } = this.store.state;
-    if (!capabilities) return;
-    this.stepAtOnce();
+    this.wear(style);
     this.store.update({ base_style: style.name });
-    this.link.sendPatch(stylePatch(style, capabilities.modules));
+  }
+
+  /** Also a style that is none of the server's. Returns the input number that puts it on. */
+  wear(style: Style): number | undefined {
+    const { capabilities } = this.store.state;
+    if (!capabilities) return undefined;
+    this.stepAtOnce();
+    return this.link.sendPatch(stylePatch(style, capabilities.modules));
   }
 
   /** A part of the panel, back to what the last style says of it. */

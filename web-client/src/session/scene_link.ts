@@ -45,6 +45,11 @@ export class SceneLink implements OutboxSender {
     this.outbox.dragLens(position_px);
   }
 
+  /** Sends now what would go out with the next animation frame. */
+  flush(): void {
+    this.outbox.flush();
+  }
+
   /** Goes out now. Returns its input number. */
   sendPatch(patch: JsonObject): number {
     this.outbox.flush();

@@ -1,5 +1,6 @@
 // Brings the stream's events into the state.
 import { errorDetail, errorTitle } from '../state/error_text.ts';
+import { fileName } from '../state/file_name.ts';
 import { Store } from '../state/store.ts';
 import { matchingStyle } from '../state/style_patch.ts';
 import { INITIAL_STATE, type ViewerState } from '../state/viewer_state.ts';
@@ -16,6 +17,10 @@ import { WorkerStream, type Stream } from '../stream/stream.ts';
 import type { FromWorker, LinkState, ShownFrame } from '../stream/worker_messages.ts';
 import { Commands } from './commands.ts';
 import { FrameRate } from './frame_rate.ts';
+import { Measuring } from './measuring.ts';
+import type { OpenStorage } from './own_style_store.ts';
+import { OwnStyling } from './own_styling.ts';
+import { Picker } from './picker.ts';
 import { SceneLink } from './scene_link.ts';
 import { SceneOpening } from './scene_opening.ts';
 import { StylePreviews } from './style_previews.ts';
@@ -28,11 +33,16 @@ const LAST_STAGES: ReadonlySet<LoadingMessage['stage']> = new Set(['ready', 'can
 
 export type SaveFile = (name: string, content: Blob) => void;
 
-export interface SessionParts {
+/** What the page can do for a session. */
+export interface PageParts {
+  readonly saveFile: SaveFile;
+  readonly openStorage: OpenStorage;
+}
+
+export interface SessionParts extends PageParts {
   /** Connects at once; events come later, never from inside of this call. */
   readonly openStream: (listener: (event: FromWorker) => void) => Stream;
   readonly address: () => string;
-  readonly saveFile: SaveFile;
 }
 
 interface Told {
@@ -46,6 +56,9 @@ export class ViewerSession {
   readonly toasts = new Toasts(this.store);
   readonly commands: Commands;
   readonly previews: StylePreviews;
+  readonly measuring: Measuring;
+  readonly own_styling: OwnStyling;
+  private readonly picker: Picker;
   private readonly link: SceneLink;
   private readonly opening: SceneOpening;
   /** As it came. */
@@ -58,6 +71,9 @@ export class ViewerSession {
     this.opening = new SceneOpening(this.store, this.link, this.toasts);
     const requests = new Counter();
     this.commands = new Commands(this.store, this.link, stream, requests, this.toasts);
+    this.picker = new Picker(stream, requests, () => this.link.flush());
+    this.measuring = new Measuring(this.store, this.picker, this.toasts, parts.saveFile);
+    this.own_styling = new OwnStyling(this.store, this.commands, this.toasts, parts);
     this.previews = new StylePreviews(this.store, stream, requests);
   }
 
@@ -102,6 +118,7 @@ export class ViewerSession {
 
   private onLink(link: LinkState): void {
     this.previews.restart();
+    this.picker.restart();
     this.store.update({ link });
     if (link.phase !== 'connected') return;
     this.told.capabilities = undefined;
@@ -143,7 +160,7 @@ export class ViewerSession {
       case 'error':
         return this.onError(message);
       case 'picked':
-        return;
+        return this.picker.arrived(message);
     }
   }
 
@@ -160,7 +177,13 @@ export class ViewerSession {
 
   private onError(error: ErrorMessage): void {
     this.link.refused(error);
-    if (this.opening.refused(error) || this.previews.refused(error.request)) return;
+    const answers_own = [
+      this.opening.refused(error),
+      this.previews.refused(error.request),
+      this.picker.refused(error.request),
+      this.own_styling.refused(error),
+    ];
+    if (answers_own.includes(true)) return;
     this.toasts.problem(errorTitle(error), errorDetail(error));
   }
 
@@ -171,18 +194,18 @@ export class ViewerSession {
 
   private stillName(): string {
     const title = this.store.state.volume?.title ?? words().messages.picture;
-    return `cutaway ${title.replaceAll(/[^\p{L}\p{N}]+/gu, ' ').trim()}.png`;
+    return fileName(`cutaway ${title}`, 'png');
   }
 }
 
 export function openViewerSession(
   canvas: HTMLCanvasElement,
   url: string,
-  saveFile: SaveFile,
+  page: PageParts,
 ): ViewerSession {
   return new ViewerSession({
     openStream: (listener) => new WorkerStream(canvas, url, listener),
     address: () => location.hash,
-    saveFile,
+    ...page,
   });
 }

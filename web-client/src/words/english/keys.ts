@@ -23,7 +23,13 @@ export const keys = {
     Record<'rotate' | 'pan' | 'zoom' | 'move_lens' | 'resize_lens' | 'place_point', GestureWords>
   >,
 
-  groups: { view: 'View', lens: 'Lens', measure: 'Measuring', style: 'Style and steps', page: 'Page' },
+  groups: {
+    view: 'View',
+    lens: 'Lens',
+    measure: 'Measuring',
+    style: 'Style and steps',
+    page: 'Page',
+  },
   meanings: {
     rotate: 'Rotate',
     pan: 'Pan',
@@ -36,6 +42,9 @@ export const keys = {
     follow: 'Lens follows the pointer, until f, Esc or a drag',
     roll_left: 'Roll left',
     roll_right: 'Roll right',
+    compare: 'Show the previous style while held',
+    undo: 'Undo',
+    redo: 'Redo',
     measure_distance: 'Measure a distance',
     measure_angle: 'Measure an angle',
     measure_probe: 'Read value and position at a point',
@@ -43,3 +52,11 @@ export const keys = {
     place_point: 'With a tool: place the point',
     take_back_point: 'With a tool: take back the last point',
     cancel_measuring: 'Give up the measurement, then the tool',
+    reset_view: 'Reset the view',
+    toggle_panel: 'Show or hide the panel',
+    help: 'This sheet',
+  },
+};
+
+/** The gesture, and what it does. */
+type GestureWords = readonly [string, string];

@@ -5,10 +5,6 @@ const plural = pluralIn('en');
 
 export const panel = {
   name: 'Panel',
-<<<<<<< HEAD
-  tabs: { volumes: 'Volumes', styles: 'Styles', adjust: 'Adjust', view: 'View' },
-  reset: (group: string) => `${group}: reset`,
-=======
   tabs: {
     volumes: 'Volumes',
     styles: 'Styles',
@@ -16,7 +12,7 @@ export const panel = {
     measure: 'Measure',
     view: 'View',
   },
->>>>>>> 86501df (Web client: measurements in patient millimetres, tissues, tones, own looks and the search for a volume, as plain state)
+  reset: (group: string) => `${group}: reset`,
   advanced: 'Advanced',
 
   volumes: {

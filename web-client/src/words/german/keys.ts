@@ -20,7 +20,13 @@ export const keys: Words['keys'] = {
     place_point: ['Mit Messwerkzeug klicken oder tippen', 'Punkt auf die Oberfläche setzen'],
   },
 
-  groups: { view: 'Ansicht', lens: 'Linse', style: 'Stil und Schritte', page: 'Seite' },
+  groups: {
+    view: 'Ansicht',
+    lens: 'Linse',
+    measure: 'Messen',
+    style: 'Stil und Schritte',
+    page: 'Seite',
+  },
   meanings: {
     rotate: 'Drehen',
     pan: 'Verschieben',
@@ -33,11 +39,9 @@ export const keys: Words['keys'] = {
     follow: 'Linse folgt dem Zeiger, bis f, Esc oder Ziehen',
     roll_left: 'Nach links rollen',
     roll_right: 'Nach rechts rollen',
-<<<<<<< HEAD
     compare: 'Den vorigen Stil zeigen, solange gehalten',
     undo: 'Rückgängig',
     redo: 'Wiederholen',
-=======
     measure_distance: 'Strecke messen',
     measure_angle: 'Winkel messen',
     measure_probe: 'Wert und Lage an einem Punkt lesen',
@@ -45,7 +49,6 @@ export const keys: Words['keys'] = {
     place_point: 'Mit Werkzeug: Punkt setzen',
     take_back_point: 'Mit Werkzeug: letzten Punkt zurücknehmen',
     cancel_measuring: 'Messung aufgeben, dann das Werkzeug',
->>>>>>> 86501df (Web client: measurements in patient millimetres, tissues, tones, own looks and the search for a volume, as plain state)
     reset_view: 'Ansicht zurücksetzen',
     toggle_panel: 'Seitenleiste ein- oder ausblenden',
     help: 'Diese Übersicht',

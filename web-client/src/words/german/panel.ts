@@ -5,10 +5,6 @@ const plural = pluralIn('de');
 
 export const panel: Words['panel'] = {
   name: 'Seitenleiste',
-<<<<<<< HEAD
-  tabs: { volumes: 'Volumen', styles: 'Stile', adjust: 'Anpassen', view: 'Ansicht' },
-  reset: (group) => `${group}: zurücksetzen`,
-=======
   tabs: {
     volumes: 'Volumen',
     styles: 'Stile',
@@ -16,7 +12,7 @@ export const panel: Words['panel'] = {
     measure: 'Messen',
     view: 'Ansicht',
   },
->>>>>>> 86501df (Web client: measurements in patient millimetres, tissues, tones, own looks and the search for a volume, as plain state)
+  reset: (group) => `${group}: zurücksetzen`,
   advanced: 'Erweitert',
 
   volumes: {

@@ -1,0 +1,49 @@
+// Keys of the measuring tools. With a tool in hand the arrows move its point, and not the camera.
+import type { Measuring } from '../session/measuring.ts';
+import type { MeasurementKind } from '../state/measurement.ts';
+import { ARROWS, type KeyBinding } from './key_binding.ts';
+
+const STEP_CSS_PIXELS = 12;
+
+/** `action` says whether the key meant anything now. */
+function onKey(names: string, action: (measuring: Measuring) => boolean): KeyBinding['apply'] {
+  return (event, { measuring }) => {
+    const plain = !event.ctrlKey && !event.metaKey && !event.altKey;
+    const name = event.key === ' ' ? 'Space' : event.key;
+    return plain && names.split(' ').includes(name) && action(measuring);
+  };
+}
+
+const takeTool = (name: string, kind: MeasurementKind): KeyBinding['apply'] =>
+  onKey(name, (measuring) => {
+    measuring.take(kind);
+    return true;
+  });
+
+const movePoint: KeyBinding['apply'] = (event, { measuring }, device_pixels) => {
+  const direction = ARROWS[event.key];
+  if (!direction || !measuring.has_tool || event.altKey || event.ctrlKey || event.metaKey)
+    return false;
+  const step_px = (event.shiftKey ? 1 : STEP_CSS_PIXELS) * device_pixels;
+  measuring.nudge(direction[0] * step_px, direction[1] * step_px);
+  return true;
+};
+
+const BINDINGS: readonly Omit<KeyBinding, 'group'>[] = [
+  { keys: 'm', meaning: 'measure_distance', apply: takeTool('m', 'distance') },
+  { keys: 'a', meaning: 'measure_angle', apply: takeTool('a', 'angle') },
+  { keys: 'v', meaning: 'measure_probe', apply: takeTool('v', 'probe') },
+  { keys: '(Shift +) ← ↑ → ↓', meaning: 'move_point', apply: movePoint },
+  { keys: 'Enter', meaning: 'place_point', apply: onKey('Enter Space', (m) => m.place()) },
+  {
+    keys: 'Backspace',
+    meaning: 'take_back_point',
+    apply: onKey('Backspace', (m) => m.takeBackPoint()),
+  },
+  { keys: 'Esc', meaning: 'cancel_measuring', apply: onKey('Escape', (m) => m.cancel()) },
+];
+
+export const MEASURING_KEYS: readonly KeyBinding[] = BINDINGS.map((binding) => ({
+  ...binding,
+  group: 'measure',
+}));

@@ -1,0 +1,232 @@
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { applyKey } from '../src/interaction/keyboard.ts';
+import { measurementsOf } from '../src/state/measure_state.ts';
+import type { Vector3 } from '../src/view/vector.ts';
+import { sceneMessage, volume } from './capabilities.ts';
+import { frame, Harness } from './harness.ts';
+
+let harness: Harness;
+beforeEach(async () => {
+  harness = new Harness();
+  await harness.connect();
+  harness.say(sceneMessage);
+});
+
+const picks = () => harness.sent.filter((message) => message.type === 'pick');
+const list = () => measurementsOf(harness.state.measure, harness.state.volume);
+const measuring = () => harness.session.measuring;
+
+/** Answers the last pick. */
+function answer(...position_mm: Vector3 | []): void {
+  const { request } = picks().at(-1) ?? { request: 0 };
+  const [x, y, z] = position_mm;
+  harness.say(
+    x === undefined
+      ? { type: 'picked', request }
+      : {
+          type: 'picked',
+          request,
+          position_mm: [x, y ?? 0, z ?? 0],
+          value: 300,
+          units: 'HU',
+          branch: 'focus',
+        },
+  );
+}
+
+function place(...position_mm: Vector3): void {
+  measuring().place([10, 10]);
+  answer(...position_mm);
+}
+
+const press = (key: string, shiftKey = false): boolean => {
+  const preventDefault = vi.fn();
+  const event = { key, shiftKey, ctrlKey: false, metaKey: false, altKey: false, preventDefault };
+  applyKey(event as unknown as KeyboardEvent, harness.session, 2);
+  return preventDefault.mock.calls.length > 0;
+};
+
+describe('a distance', () => {
+  it('is two points that the server finds, with a name and in the list', () => {
+    measuring().take('distance');
+    place(0, 0, 0);
+    expect(list()).toEqual([]);
+    expect(harness.state.measure.draft?.points).toHaveLength(1);
+    place(0, 30, 40);
+    expect(list()).toMatchObject([
+      {
+        kind: 'distance',
+        name: 'Distance 1',
+        points: [{ value: 300 }, { position_mm: [0, 30, 40] }],
+      },
+    ]);
+    place(1, 1, 1);
+    place(2, 2, 2);
+    expect(list().map(({ name }) => name)).toEqual(['Distance 1', 'Distance 2']);
+  });
+
+  it('takes no point where nothing is, and says so', () => {
+    measuring().take('distance');
+    measuring().place([10, 10]);
+    answer();
+    expect(harness.state.measure.draft?.points).toEqual([]);
+    expect(harness.state.toasts).toMatchObject([{ title: 'No surface here' }]);
+  });
+
+  it('asks for what the user sees: a change that waits goes out first', () => {
+    measuring().take('distance');
+    harness.session.commands.orbit(10, 0);
+    measuring().place([10, 10]);
+    expect(harness.sent.slice(-2).map(({ type }) => type)).toEqual(['scene', 'pick']);
+  });
+
+  it('is not placed by an answer that comes after the tool was put away', () => {
+    measuring().take('probe');
+    measuring().place([10, 10]);
+    measuring().take('probe');
+    answer(1, 2, 3);
+    expect(list()).toEqual([]);
+  });
+});
+
+describe('the point under the pointer', () => {
+  it('is asked for one at a time, and then the newest', () => {
+    measuring().take('probe');
+    for (const x of [1, 2, 3]) measuring().point([x, 0]);
+    expect(picks().map(({ position_px }) => position_px)).toEqual([[1, 0]]);
+    answer(1, 1, 1);
+    expect(harness.state.measure.candidate).toMatchObject({ answered: false, position_px: [3, 0] });
+    expect(picks().map(({ position_px }) => position_px)).toEqual([
+      [1, 0],
+      [3, 0],
+    ]);
+    answer(3, 3, 3);
+    expect(harness.state.measure.candidate).toMatchObject({
+      answered: true,
+      found: { position_mm: [3, 3, 3], value: 300 },
+    });
+  });
+
+  it('is asked for anew once the picture has changed', () => {
+    measuring().take('probe');
+    measuring().point([5, 5]);
+    answer(1, 1, 1);
+    harness.emit({ kind: 'shown', frame: { ...frame(1, 1), still: true } });
+    expect(picks()).toHaveLength(2);
+  });
+
+  it('is none without a tool, and none after the pointer has left', () => {
+    measuring().point([5, 5]);
+    expect(picks()).toEqual([]);
+    measuring().take('probe');
+    measuring().point([5, 5]);
+    measuring().pointAway();
+    answer(1, 1, 1);
+    expect(harness.state.measure.candidate).toBeUndefined();
+  });
+
+  it('waits for no answer of a connection that was lost', () => {
+    measuring().take('probe');
+    measuring().point([5, 5]);
+    harness.emit({ kind: 'link', state: { phase: 'connecting' } });
+    measuring().point([6, 6]);
+    expect(picks()).toHaveLength(2);
+  });
+});
+
+describe('the keyboard', () => {
+  it('takes tools, moves the point and places it', () => {
+    expect(press('Enter')).toBe(false);
+    press('m');
+    press('ArrowRight');
+    expect(harness.state.measure.candidate?.position_px).toEqual([400, 300]);
+    press('ArrowRight');
+    press('ArrowUp', true);
+    expect(harness.state.measure.candidate).toMatchObject({
+      position_px: [424, 298],
+      by_keys: true,
+    });
+    press('Enter');
+    answer(1, 1, 1);
+    expect(harness.state.measure.draft?.points).toHaveLength(1);
+    expect(harness.scenes().filter(({ scene }) => 'camera' in scene)).toEqual([]);
+  });
+
+  it('keeps the point within the picture', () => {
+    press('v');
+    measuring().point([1, 1], true);
+    press('ArrowLeft');
+    press('ArrowUp');
+    expect(harness.state.measure.candidate?.position_px).toEqual([0, 0]);
+  });
+
+  it('gives up with Escape: the points, the tool, the choice', () => {
+    press('m');
+    place(1, 1, 1);
+    expect(press('Escape')).toBe(true);
+    expect(harness.state.measure.draft).toEqual({ kind: 'distance', points: [] });
+    press('Escape');
+    expect(harness.state.measure.draft).toBeUndefined();
+    expect(press('Escape')).toBe(false);
+  });
+
+  it('takes the last point back', () => {
+    press('a');
+    place(1, 1, 1);
+    place(2, 2, 2);
+    press('Backspace');
+    expect(harness.state.measure.draft?.points).toHaveLength(1);
+  });
+
+  it('is the camera’s without a tool', () => {
+    press('ArrowRight');
+    harness.nextFrame();
+    expect(harness.scenes().at(-1)?.scene).toHaveProperty('camera');
+  });
+});
+
+describe('what was measured', () => {
+  beforeEach(() => {
+    measuring().take('probe');
+    place(1, 2, 3);
+  });
+  const [id] = [1];
+
+  it('is chosen, moved over the surface, renamed and deleted', () => {
+    expect(harness.state.measure.selected).toBe(id);
+    measuring().movePoint(id, 0, [20, 20]);
+    answer(4, 5, 6);
+    measuring().movePoint(id, 0, [30, 20]);
+    answer();
+    measuring().rename(id, 'Apex');
+    expect(list()).toMatchObject([{ name: 'Apex', points: [{ position_mm: [4, 5, 6] }] }]);
+    measuring().remove(id);
+    expect(list()).toEqual([]);
+    expect(harness.state.measure.selected).toBeUndefined();
+  });
+
+  it('stays with its volume', () => {
+    const knee = { ...volume, id: 'knee' };
+    harness.say({ ...sceneMessage, revision: 2, volume: knee });
+    expect(list()).toEqual([]);
+    expect(harness.state.measure.draft).toEqual({ kind: 'probe', points: [] });
+    place(7, 7, 7);
+    harness.say({ ...sceneMessage, revision: 3 });
+    expect(list().map(({ points }) => points[0]?.position_mm)).toEqual([[1, 2, 3]]);
+  });
+
+  it('survives a lost connection', () => {
+    harness.emit({ kind: 'link', state: { phase: 'connecting' } });
+    expect(list()).toHaveLength(1);
+  });
+
+  it('is saved as a file by the volume’s name', async () => {
+    measuring().exportAs('csv', 'Not for diagnostic use');
+    measuring().exportAs('json', 'Not for diagnostic use');
+    expect(harness.saved.map(([name]) => name)).toEqual([
+      'cutaway Head measurements.csv',
+      'cutaway Head measurements.json',
+    ]);
+    expect(await harness.saved[0]?.[1].text()).toContain('Probe 1,probe,300,HU,1,2,3,300');
+  });
+});
