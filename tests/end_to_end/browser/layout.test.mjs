@@ -16,6 +16,9 @@ const FIXED_PARTS = [
   'cutaway-orientation-marks span',
   'cutaway-orientation-cube',
   'cutaway-picture-notices span',
+  'cutaway-scale-bar .scale',
+  'cutaway-measure-toolbar [role=toolbar]',
+  'cutaway-measure-readout .card',
 ];
 
 /** Boxes of all visible parts, with their names. */
@@ -76,6 +79,15 @@ const UNFOLD = {
     await viewer.after(() => viewer.choose('Lens: Mode', 'Magic'));
     await viewer.after(() => viewer.toggle('Focus: Upper end'));
   },
+  async Measure(viewer) {
+    const [x, y] = await viewer.stageMiddle();
+    await viewer.page.locator('[data-tool=distance]').click();
+    for (const rise of [40, -40]) {
+      await viewer.page.mouse.click(x, y + rise);
+      await viewer.page.locator('[data-part=measure-readout]').waitFor();
+    }
+    await viewer.page.locator('li[data-measurement]').waitFor();
+  },
 };
 
 describe('layout and accessibility', { skip }, () => {
@@ -91,7 +103,7 @@ describe('layout and accessibility', { skip }, () => {
       await viewer.settled();
       await assertLayout(viewer);
       await assertAccessible(viewer, 'first');
-      for (const tab of ['Volumes', 'Styles', 'Adjust', 'View']) {
+      for (const tab of ['Volumes', 'Styles', 'Adjust', 'Measure', 'View']) {
         await viewer.openTab(tab);
         await viewer.settled();
         await UNFOLD[tab]?.(viewer);

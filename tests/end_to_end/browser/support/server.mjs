@@ -11,25 +11,31 @@ const binary = process.env.CUTAWAY_BINARY;
 export const isStandIn = !binary;
 
 /** The executable finds the built client beside itself, in its own repository. */
-function commandFor(port) {
-  if (!isStandIn) return [binary, ['serve', '--listen', `127.0.0.1:${port}`]];
+function commandFor(port, data) {
+  const folders = data.flatMap((folder) => ['--data', folder]);
+  if (!isStandIn) return [binary, ['serve', '--listen', `127.0.0.1:${port}`, ...folders]];
   const stand_in = `${repository}web-client/dev/mock-server.mjs`;
   return [process.execPath, [stand_in, '--port', String(port)]];
 }
 
 export class Server {
   #process;
+  #data;
   url;
 
-  /** Port 0 picks a free one. */
-  static async start(port = 0) {
-    const server = new Server();
+  constructor(data) {
+    this.#data = data;
+  }
+
+  /** Port 0 picks a free one. `data` are folders with volumes; the stand-in reads none. */
+  static async start({ port = 0, data = [] } = {}) {
+    const server = new Server(data);
     await server.#start(port);
     return server;
   }
 
   async #start(port) {
-    const [command, options] = commandFor(port);
+    const [command, options] = commandFor(port, this.#data);
     this.#process = spawn(command, options, {
       stdio: ['ignore', 'pipe', 'pipe'],
     });
