@@ -64,10 +64,11 @@ bool RenderWorker::draw_some(JobQueue<RenderJob>& queue) {
 }
 
 // Frames that were begun come first: among views that have had equally much they are finished in
-// that order.
+// that order. Where they take up the views' memory, no other is begun before one is finished.
 std::vector<std::uint64_t> RenderWorker::views_that_wait(const JobQueue<RenderJob>& queue) const {
   std::vector<std::uint64_t> views;
   for (const Drawing& drawing : drawing_) views.push_back(drawing.job.view());
+  if (!drawing_.empty() && !views_.has_room()) return views;
   for (const std::uint64_t view : queue.waiting()) {
     if (std::ranges::find(views, view) == views.end()) views.push_back(view);
   }

@@ -48,6 +48,13 @@ void ViewShelf::drop_idle(Clock::duration age) {
                 [&](const auto& view) { return !view.second.pinned && view.second.used < before; });
 }
 
+// The other half is for the one that comes, which may be larger than any so far.
+bool ViewShelf::has_room() const {
+  std::uint64_t pinned = 0;
+  for (const auto& [view, entry] : views_) pinned += entry.pinned ? entry.state.bytes() : 0;
+  return pinned <= bytes_ / 2;
+}
+
 std::uint64_t ViewShelf::used_bytes() const {
   return std::accumulate(
       views_.begin(), views_.end(), std::uint64_t{0},

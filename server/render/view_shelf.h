@@ -31,6 +31,10 @@ class ViewShelf {
 
   std::uint64_t used_bytes() const;
 
+  /// Whether the pinned views leave room for another: what is pinned cannot go, so that they alone
+  /// could be more than the limit.
+  bool has_room() const;
+
  private:
   struct Entry {
     ViewState state;

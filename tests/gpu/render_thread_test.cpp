@@ -99,6 +99,27 @@ TEST_F(RenderThreads, ALargePictureLetsSmallOnesPass) {
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(drawn_large.get()));
 }
 
+// Else two hundred views that are all being drawn would take the memory of two hundred.
+TEST_F(RenderThreads, NoFrameIsBegunWhileThoseBegunTakeUpTheViewsMemory) {
+  RenderThread narrow({}, {.view_bytes = 1, .step = 6000});
+  RenderRequest large = request(1);
+  large.settings.picture_size_px = {400, 300};
+  std::vector<std::uint64_t> order;  // on the render thread only
+  std::vector<std::future<RenderOutcome>> frames;
+  for (RenderRequest wanted : {large, request(2), request(3)}) {
+    auto promise = std::make_shared<std::promise<RenderOutcome>>();
+    frames.push_back(promise->get_future());
+    const std::uint64_t view = wanted.view;
+    narrow.submit({std::move(wanted), [&order, promise, view](RenderOutcome outcome) {
+                     order.push_back(view);
+                     promise->set_value(std::move(outcome));
+                   }});
+    if (view == 1) std::this_thread::sleep_for(std::chrono::milliseconds(20));  // it is begun
+  }
+  for (auto& frame : frames) EXPECT_TRUE(std::holds_alternative<RenderedFrame>(frame.get()));
+  EXPECT_EQ(order, (std::vector<std::uint64_t>{1, 2, 3}));
+}
+
 TEST_F(RenderThreads, AFrameThatYieldsIsGivenUpForANewerOneOfItsView) {
   RenderRequest still = request(1);
   still.settings.picture_size_px = {1600, 1200};

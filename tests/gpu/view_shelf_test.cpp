@@ -55,6 +55,17 @@ TEST_F(Shelf, KeepsTheViewsThatWereDrawnLastWithinItsLimit) {
   EXPECT_EQ(shelf.pin(0).counts().ray_cast, 0U);  // drawn anew
 }
 
+TEST_F(Shelf, HasRoomWhileWhatIsBeingDrawnTakesLessThanHalf) {
+  ViewShelf shelf(4 * bytes_of_one());
+  for (std::uint64_t view = 0; view < 3; ++view) {
+    EXPECT_TRUE(shelf.has_room());
+    plan(shelf.pin(view)).finish();
+  }
+  EXPECT_FALSE(shelf.has_room());
+  shelf.unpin(0);
+  EXPECT_TRUE(shelf.has_room());
+}
+
 TEST_F(Shelf, TakesNothingAwayThatIsBeingDrawn) {
   ViewShelf shelf(1);
   ViewState& view = shelf.pin(1);
