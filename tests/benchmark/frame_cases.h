@@ -1,4 +1,5 @@
-// What is measured: the dissertation's five configurations (techniques: its table 5.3).
+// What is measured: the control and the flagship, the dissertation's configurations between them
+// (techniques: its table 5.3), and each lens, filter and translucent material alone.
 #pragma once
 
 #include <string>
@@ -15,7 +16,12 @@ struct FrameCase {
   bool has_no_lens() const { return scene["lens"]["mode"] == "none"; }
 };
 
-/// All share the flagship's surfaces, light and background, so that they differ in one thing each.
+/// The first five differ from each other by the flagship's parts. Those whose name ends in "alone"
+/// are the control, which is the first, and one thing more: each lens shape in each mode, each
+/// filter of the registry over the whole picture, at its defaults.
 std::vector<FrameCase> frame_cases();
+
+/// The case "lens + both".
+FrameCase flagship_case();
 
 }  // namespace cutaway::benchmark

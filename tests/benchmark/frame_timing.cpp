@@ -2,9 +2,9 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "benchmark/jpeg_timing.h"
 #include "benchmark/samples.h"
 #include "benchmark/yardstick_task.h"
-#include "encode/jpeg.h"
 #include "render/loaded_facts.h"
 #include "scene/resolve.h"
 
@@ -53,17 +53,14 @@ bool wants_more(const FrameBudget& budget, int least, int frames, double spent_m
   return frames < budget.most && spent_ms < 500.0 * budget.seconds;
 }
 
-std::vector<std::uint8_t> compress(const std::vector<std::vector<std::uint8_t>>& planes,
-                                   Viewport size) {
-  return encode_jpeg({.width_px = size.width_px,
-                      .height_px = size.height_px,
-                      .halved_chroma = true,
-                      .planes = {planes.at(0), planes.at(1), planes.at(2)}},
-                     kJpegQuality);
+std::vector<std::uint8_t> compress(std::vector<std::vector<std::uint8_t>> planes, Viewport size) {
+  return jpeg_of(
+      {.layout = kLayout, .size_px = {size.width_px, size.height_px}, .planes = std::move(planes)},
+      kJpegQuality);
 }
 
-RenderSettings interactive_settings(Viewport size) {
-  return {.picture_size_px = {size.width_px, size.height_px}, .layout = kLayout};
+RenderSettings interactive_settings(Viewport size, PixelLayout layout = kLayout) {
+  return {.picture_size_px = {size.width_px, size.height_px}, .layout = layout};
 }
 
 }  // namespace
@@ -81,6 +78,14 @@ FrameTime FrameTiming::measure(const FrameCase& frame_case, Viewport size,
   measure_whole(front, budget, time);
   measure_stages(front, budget, time);
   return time;
+}
+
+Pixels FrameTiming::picture(const FrameCase& frame_case, Viewport size, PixelLayout layout) {
+  const Scene front = resolve_scene(frame_case.scene, facts_of(loaded_), size);
+  pipeline_.render(view_, front, volume_, interactive_settings(size, layout));
+  FramePipeline::start_readback(view_, layout, readback_);
+  return {
+      .layout = layout, .size_px = {size.width_px, size.height_px}, .planes = readback_.finish()};
 }
 
 void FrameTiming::write_task(const FrameCase& frame_case, Viewport size,
@@ -151,9 +156,9 @@ void FrameTiming::measure_stages(const Scene& front, const FrameBudget& budget, 
     last = Clock::now();
     pipeline_.render(view_, scene, volume_, interactive_settings(scene.viewport));
     FramePipeline::start_readback(view_, kLayout, readback_);
-    const auto planes = readback_.finish();
+    auto planes = readback_.finish();
     stage_ended("read back");
-    compress(planes, scene.viewport);
+    compress(std::move(planes), scene.viewport);
     stage_ended("JPEG");
   }
   pipeline_.observe({});

@@ -9,7 +9,8 @@ Report::Report(const Machine& machine)
                {"renderer", machine.renderer},
                {"software_renderer", machine.software_renderer},
                {"compiler", machine.compiler}}},
-             {"frames", Json::array()}}) {
+             {"frames", Json::array()},
+             {"jpeg", Json::array()}}) {
   std::printf("%s, %d cores; %s%s\n", machine.processor.c_str(), machine.cores,
               machine.renderer.c_str(), machine.software_renderer ? " (software)" : "");
 }
@@ -17,7 +18,9 @@ Report::Report(const Machine& machine)
 void Report::begin_volume(const std::string& name, const Volume& volume) {
   const glm::ivec3 size = volume.geometry.size_voxels;
   std::printf("\n%s, %d x %d x %d\n", name.c_str(), size.x, size.y, size.z);
+  std::fflush(stdout);
   volume_ = name;
+  size_voxels_ = size;
 }
 
 void Report::begin_size(Viewport size) {
@@ -27,7 +30,7 @@ void Report::begin_size(Viewport size) {
 }
 
 void Report::add(const std::string& case_name, const FrameTime& time) {
-  std::printf("    %-16s %8.2f (%7.2f) %8.2f ", case_name.c_str(), time.median_ms, time.p95_ms,
+  std::printf("    %-20s %8.2f (%7.2f) %8.2f ", case_name.c_str(), time.median_ms, time.p95_ms,
               time.device_ms);
   Json stages = Json::object();
   for (const StageTime& stage : time.stages) {
@@ -37,6 +40,7 @@ void Report::add(const std::string& case_name, const FrameTime& time) {
   std::printf("\n");
   std::fflush(stdout);
   json_["frames"].push_back({{"volume", volume_},
+                             {"size_voxels", {size_voxels_.x, size_voxels_.y, size_voxels_.z}},
                              {"size_px", {size_.width_px, size_.height_px}},
                              {"case", case_name},
                              {"frames", time.frames},
@@ -45,6 +49,29 @@ void Report::add(const std::string& case_name, const FrameTime& time) {
                              {"device_ms", time.device_ms},
                              {"stages_ms", stages},
                              {"jpeg_bytes", time.jpeg_bytes}});
+}
+
+// Megabytes are 10^6 bytes of the planes that go in.
+void Report::add_jpeg(const Pixels& picture, int quality, const std::vector<JpegRate>& rates) {
+  const char* chroma = picture.layout == PixelLayout::yuv420 ? "4:2:0" : "4:4:4";
+  const glm::ivec2 size = picture.size_px;
+  const std::size_t jpeg_bytes = jpeg_of(picture, quality).size();
+  std::printf("  %d x %d, %s at quality %d, %zu bytes: threads, pictures a second, MB a second\n",
+              size.x, size.y, chroma, quality, jpeg_bytes);
+  for (const JpegRate& rate : rates) {
+    const double megabytes = static_cast<double>(bytes_of(picture)) / 1e6;
+    std::printf("    %4d %8.1f %8.1f\n", rate.threads, rate.pictures_per_second,
+                rate.pictures_per_second * megabytes);
+    json_["jpeg"].push_back({{"volume", volume_},
+                             {"size_px", {size.x, size.y}},
+                             {"chroma", chroma},
+                             {"quality", quality},
+                             {"jpeg_bytes", jpeg_bytes},
+                             {"threads", rate.threads},
+                             {"pictures_per_second", rate.pictures_per_second},
+                             {"mb_per_second", rate.pictures_per_second * megabytes}});
+  }
+  std::fflush(stdout);
 }
 
 }  // namespace cutaway::benchmark

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "benchmark/frame_timing.h"
+#include "benchmark/jpeg_timing.h"
 #include "benchmark/machine.h"
 #include "scene/json.h"
 
@@ -18,12 +19,14 @@ class Report {
   void begin_volume(const std::string& name, const Volume& volume);
   void begin_size(Viewport size);
   void add(const std::string& case_name, const FrameTime& time);
+  void add_jpeg(const Pixels& picture, int quality, const std::vector<JpegRate>& rates);
 
   const Json& json() const { return json_; }
 
  private:
   Json json_;
   std::string volume_;
+  glm::ivec3 size_voxels_{0};
   Viewport size_;
 };
 

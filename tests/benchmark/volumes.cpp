@@ -38,11 +38,13 @@ void add_cts_of(const std::filesystem::path& folder, std::vector<NamedVolume>&) 
 
 }  // namespace
 
-std::vector<NamedVolume> volumes_to_measure(int phantom_size_voxels,
+std::vector<NamedVolume> volumes_to_measure(const std::vector<int>& phantom_sizes_voxels,
                                             const std::optional<std::filesystem::path>& data) {
   std::vector<NamedVolume> volumes;
-  for (const PhantomKind kind : {PhantomKind::head, PhantomKind::abdomen, PhantomKind::knees})
-    volumes.push_back(phantom(kind, phantom_size_voxels));
+  for (const PhantomKind kind : {PhantomKind::head, PhantomKind::abdomen, PhantomKind::knees}) {
+    for (const int size_voxels : phantom_sizes_voxels)
+      volumes.push_back(phantom(kind, size_voxels));
+  }
   if (data) add_cts_of(*data, volumes);
   return volumes;
 }

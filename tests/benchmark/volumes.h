@@ -17,8 +17,9 @@ struct NamedVolume {
   std::function<std::shared_ptr<const LoadedVolume>()> load;  ///< reads or computes it now
 };
 
-/// Throws Error where the folder is missing, or where this build reads no files.
-std::vector<NamedVolume> volumes_to_measure(int phantom_size_voxels,
+/// Each phantom at each size. Throws Error where the folder is missing, or where this build reads
+/// no files.
+std::vector<NamedVolume> volumes_to_measure(const std::vector<int>& phantom_sizes_voxels,
                                             const std::optional<std::filesystem::path>& data);
 
 }  // namespace cutaway::benchmark
