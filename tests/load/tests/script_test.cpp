@@ -148,7 +148,7 @@ TEST(Script, ShippedScriptsAreAccepted) {
     EXPECT_FALSE(read_script(entry.path()).description.empty()) << entry.path();
     ++count;
   }
-  EXPECT_EQ(count, 4);
+  EXPECT_EQ(count, 5);
 }
 
 TEST(Roles, AreAssignedByTheirShares) {
