@@ -12,6 +12,7 @@
 #ifdef CUTAWAY_IMPORT
 #include "import/import_worker.h"
 #include "import/isolated_reader.h"
+#include "render/render_settings.h"
 #endif
 
 namespace cutaway {
@@ -49,7 +50,7 @@ void add_render(CLI::App& app) {
       ->type_name("WIDTHxHEIGHT")
       ->check(valid_size);
   render->add_option("--supersampling", command->supersampling, "Rays a pixel each way")
-      ->check(CLI::Range(1, 4))
+      ->check(CLI::Range(1, kMostSupersampling))
       ->capture_default_str();
   render->add_flag("--require-gpu", command->require_gpu, "Refuse software rendering");
   render->callback([command] { run_render(*command); });

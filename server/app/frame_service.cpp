@@ -51,7 +51,8 @@ Frame encoded_frame(const RenderedFrame& rendered) {
               .height_px = rendered.pixels.size_px.y,
               .revision = request.revision,
               .quality = request.quality,
-              .render_us = rendered.render_us};
+              .render_us = rendered.render_us,
+              .cast_rays = rendered.cast_rays};
   const auto spent = std::chrono::steady_clock::now() - begun;
   frame.encode_us = static_cast<std::uint32_t>(
       std::chrono::duration_cast<std::chrono::microseconds>(spent).count());

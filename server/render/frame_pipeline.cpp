@@ -1,5 +1,7 @@
 #include "render/frame_pipeline.h"
 
+#include <algorithm>
+
 #include "core/check.h"
 #include "render/shaders.h"
 #include "scene/view_geometry.h"
@@ -50,6 +52,16 @@ std::optional<MagicLens> magic_lens(const Scene& scene, const ViewRays& rays) {
   return MagicLens{scene.lens, rays};
 }
 
+int farthest_reach_px(const Scene& scene, double resolution_scale) {
+  int reach_px = 0;
+  for (const Branch* branch : {&scene.context, &scene.focus}) {
+    for (const Module& filter : branch->filters)
+      reach_px = std::max(
+          reach_px, FilterPass::reach_px({.filter = filter, .resolution_scale = resolution_scale}));
+  }
+  return reach_px;
+}
+
 std::vector<glm::vec4> texels_of(const gl::Texture2D& texture) {
   const glm::ivec2 size = texture.size_px();
   std::vector<glm::vec4> values(static_cast<std::size_t>(size.x) * size.y);
@@ -88,6 +100,7 @@ FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& vo
     view = ViewState();
     view.buffers_.emplace(settings.picture_size_px, settings.supersampling);
   }
+  view.buffers_->prepare_sums(farthest_reach_px(scene, settings.resolution_scale));
   FramePlan plan(observer_);
   const VolumeGeometry part =
       settings.skip_empty_space
@@ -135,7 +148,7 @@ std::uint64_t FramePipeline::cast_rays(const Draft& draft, const RayCastKey& key
   if (key.is_translucent()) buffers.prepare_layers();
   return draft.view.ray_cast_.schedule(
       key, draft.plan,
-      {.name = "ray cast",
+      {.name = kRayCast,
        .region = scaled(draft.regions.volume, draft.settings.supersampling),
        .cost = kRayCost,
        .begin = [key, &buffers] { RayCastPass::clear(key, buffers); },
@@ -205,12 +218,13 @@ std::vector<Pass> FramePipeline::filter_steps(const Draft& draft, BranchIndex in
                                               const FilterKey& key, const gl::Texture2D& input,
                                               const ColourTarget& target) {
   const BranchBuffers& buffers = draft.buffers.branches[index];
-  const FilterSums& sums = draft.buffers.prepare_sums(FilterPass::reach_px(key));
+  const FilterSums& sums = draft.buffers.sums();
   const gl::PixelRect region = draft.regions.branches[index];
   std::vector<Pass> steps;
-  for (int step = 0; step < FilterPass::steps(key.filter); ++step) {
+  for (int step = FilterPass::first_step(key); step < FilterPass::steps(key.filter); ++step) {
     steps.push_back({.name = key.filter.name,
                      .region = FilterPass::region_of_step(key, step, region),
+                     .cost = FilterPass::cost_of_step(key, step),
                      .begin = {},
                      .draw = [this, key, step, &buffers, &sums, &input, &target,
                               is_cut = index == kContext](const gl::PixelRect& strip) {

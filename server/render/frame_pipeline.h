@@ -23,6 +23,9 @@
 
 namespace cutaway {
 
+/// Name of the pass that costs most.
+inline constexpr const char* kRayCast = "ray cast";
+
 /// How often each stage has run for a view: proof of what a change costs.
 struct StageCounts {
   std::uint64_t entry = 0;

@@ -2,9 +2,11 @@
 // holds up no small one.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,6 +38,11 @@ class FramePlan {
   explicit FramePlan(PassObserver observer) : observer_(std::move(observer)) {}
 
   void add(Pass pass) { passes_.push_back(std::move(pass)); }
+
+  /// Whether a pass of that name is part of it.
+  bool has(std::string_view name) const {
+    return std::ranges::find(passes_, name, &Pass::name) != passes_.end();
+  }
 
   bool is_done() const { return current_ == passes_.size(); }
   /// Draws for about `cost` units. Returns what it has drawn, in units.

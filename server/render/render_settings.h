@@ -12,11 +12,14 @@ namespace cutaway {
 /// column and row. rgba: one plane, 4 bytes a pixel.
 enum class PixelLayout { yuv420, yuv444, rgba };
 
+/// Each way. Shading has a program for each number.
+inline constexpr int kMostSupersampling = 4;
+
 struct RenderSettings {
   glm::ivec2 picture_size_px{0};
   double resolution_scale =
       1.0;  ///< picture pixels per viewport pixel: filters' radii are in viewport pixels
-  int supersampling = 1;         ///< rays a pixel each way, 1..4
+  int supersampling = 1;         ///< rays a pixel each way, 1..kMostSupersampling
   double step_voxels = 1.0;      ///< ray step in units of the smallest spacing
   bool skip_empty_space = true;  ///< off only to prove that it changes nothing
   PixelLayout layout = PixelLayout::rgba;

@@ -35,6 +35,7 @@ struct RenderRequest {
 struct RenderedFrame {
   Pixels pixels;
   std::uint32_t render_us = 0;  ///< from the job's begin until its pixels had arrived
+  bool cast_rays = false;       ///< else what was kept of the view's last frame was enough
   std::shared_ptr<const void> label;
 };
 

@@ -91,6 +91,7 @@ bool RenderWorker::begin(RenderJob job) {
     drawing.volume = volumes_.use(request.volume);
     drawing.volume->upload_rest();
     drawing.plan = pipeline_.plan(view, *request.scene, *drawing.volume, request.settings);
+    drawing.cast_rays = drawing.plan.has(kRayCast);
     views_.keep_within_limit();
     drawing_.push_back(std::move(drawing));
     return true;
@@ -134,7 +135,8 @@ void RenderWorker::read_back(Drawing& drawing) {
   }
   const RenderRequest& request = drawing.job.request;
   FramePipeline::start_readback(views_.pinned(request.view), request.settings.layout, readback);
-  pending_.push_back({std::move(drawing.job), std::move(readback), drawing.begun});
+  pending_.push_back(
+      {std::move(drawing.job), std::move(readback), drawing.begun, drawing.cast_rays});
 }
 
 void RenderWorker::end(Place drawing, RenderOutcome outcome) {
@@ -184,6 +186,7 @@ void RenderWorker::deliver(Pending& pending) {
   const RenderRequest& request = pending.job.request;
   try {
     RenderedFrame frame{.pixels = pixels_of(request.settings, pending.readback),
+                        .cast_rays = pending.cast_rays,
                         .label = request.label};
     const auto spent =
         std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - pending.begun);

@@ -52,11 +52,13 @@ class RenderWorker {
     std::shared_ptr<GpuVolume> volume;  ///< held: the volumes' limit must not take it away now
     FramePlan plan;
     Clock::time_point begun;
+    bool cast_rays = false;
   };
   struct Pending {
     RenderJob job;
     gl::PixelReadback readback;
     Clock::time_point begun;
+    bool cast_rays = false;
   };
   using Place = std::list<Drawing>::iterator;
 

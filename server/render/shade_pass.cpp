@@ -1,7 +1,6 @@
 #include "render/shade_pass.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "core/check.h"
@@ -9,17 +8,10 @@
 
 namespace cutaway {
 
-namespace {
-
-/// Rays a pixel each way: a live frame's and a still's.
-constexpr std::array kSupersamplings = {1, 2};
-
-}  // namespace
-
 ShadePass::ShadePass(const gl::ShaderLibrary& shaders) {
   for (const ShadingModel& model : shading_models()) {
     for (const BranchIndex branch : {kContext, kFocus}) {
-      for (const int supersampling : kSupersamplings) {
+      for (int supersampling = 1; supersampling <= kMostSupersampling; ++supersampling) {
         auto definitions = shader_definitions(model);
         definitions["BRANCH"] = branch == kContext ? "CONTEXT" : "FOCUS";
         definitions["SUPERSAMPLING"] = std::to_string(supersampling);

@@ -76,12 +76,10 @@ std::uint64_t ViewBuffers::bytes() const {
   return sum;
 }
 
-const FilterSums& ViewBuffers::prepare_sums(int reach_px) {
-  if (reach_px > sums_reach_px_) {
-    sums_ = filter_sums(picture_size_px_, reach_px);
-    sums_reach_px_ = reach_px;
-  }
-  return sums_;
+void ViewBuffers::prepare_sums(int reach_px) {
+  if (reach_px == sums_reach_px_) return;
+  sums_ = reach_px == 0 ? FilterSums() : filter_sums(picture_size_px_, reach_px);
+  sums_reach_px_ = reach_px;
 }
 
 void ViewBuffers::prepare_layers() {

@@ -21,8 +21,9 @@ struct ColourTarget {
   gl::Framebuffer framebuffer;
 };
 
-/// What a filter of several steps hands from one to the next, larger than the picture by its reach.
-/// Filters run one after the other, so they share it.
+/// What a filter of several steps, as Kuwahara's, hands from one to the next, larger than the
+/// picture by its reach. Filters run one after the other, so those of a view share it; views do
+/// not, since their strips are drawn in turn.
 struct FilterSums {
   gl::Texture2D colour_sums;  ///< RGBA32F, drawn by a filter's first step
   gl::Texture2D square_sums;  ///< R32F, likewise
@@ -64,8 +65,9 @@ class ViewBuffers {
 
   /// Makes sure that each branch has a target for its filter number `index`.
   ColourTarget& filtered(BranchIndex branch, std::size_t index);
-  /// Makes sure that the sums reach that far beyond the picture; 0: nobody needs them.
-  const FilterSums& prepare_sums(int reach_px);
+  /// Sums that reach that far beyond the picture; 0: nobody needs them.
+  void prepare_sums(int reach_px);
+  const FilterSums& sums() const { return sums_; }
   /// Makes sure that both branches' layers and their target exist.
   void prepare_layers();
   /// Makes sure that the planes of `layout` exist.

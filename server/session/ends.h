@@ -53,6 +53,7 @@ struct Frame {
   FrameQuality quality;
   std::uint32_t render_us = 0;
   std::uint32_t encode_us = 0;
+  bool cast_rays = true;  ///< else its time says nothing of what another frame will take
 };
 
 struct FrameReplaced {};  ///< a newer request of the same view took its place before it began

@@ -138,6 +138,9 @@ void FrameFlow::fail(const SceneSnapshot& shown, const Error& error) {
 void FrameFlow::send(const SceneSnapshot& shown, const Frame& frame) {
   const std::chrono::microseconds cost(std::uint64_t{frame.render_us} + frame.encode_us);
   quality_.rendered(frame.quality, cost);
+  if (frame.cast_rays)
+    quality_.cast_rays(frame.quality, shown.scene->viewport,
+                       std::chrono::microseconds(frame.render_us));
   const std::uint32_t number = ++last_number_;
   const std::size_t bytes = frame.picture.size();
   sent_.push_back({number, frame.quality, bytes, bytes_in_flight() + bytes, strand_->now()});

@@ -16,6 +16,11 @@ const std::vector<StepControl::Step> kResolutionSteps = {
 const std::vector<StepControl::Step> kCompressionSteps = {
     {80.0, 1.0}, {65.0, 0.72}, {50.0, 0.58}, {35.0, 0.46}, {25.0, 0.37}};
 
+/// Of the newest frame in the mean of what a ray costs.
+constexpr double kSmoothing = 0.3;
+
+double pixels_of(Viewport viewport) { return double(viewport.width_px) * viewport.height_px; }
+
 }  // namespace
 
 FrameQuality still_quality(const SessionSettings& settings, Viewport viewport) {
@@ -37,8 +42,6 @@ QualityControl::QualityControl(const SessionSettings& settings)
       compression_(kCompressionSteps, settings.frame_budget) {}
 
 void QualityControl::rendered(const FrameQuality& quality, Milliseconds cost) {
-  const double rays_a_pixel = quality.resolution_scale * quality.supersampling;
-  whole_ = cost / (rays_a_pixel * rays_a_pixel);
   if (!made_with_present_steps(quality)) return;
   resolution_.observe(compression_.at_last() ? std::max(cost, transfer_) : cost);
 }
@@ -51,10 +54,20 @@ void QualityControl::acknowledged(const FrameQuality& quality, std::size_t bytes
   compression_.observe(transfer_);
 }
 
+// The first frame makes buffers, too, so that its time says nothing.
+void QualityControl::cast_rays(const FrameQuality& quality, Viewport viewport,
+                               Milliseconds rendering) {
+  const double rays_a_pixel = quality.resolution_scale * quality.supersampling;
+  const Milliseconds ray = rendering / (pixels_of(viewport) * rays_a_pixel * rays_a_pixel);
+  if (++frames_cast_ == 1) return;
+  ray_ = frames_cast_ == 2 ? ray : kSmoothing * ray + (1.0 - kSmoothing) * ray_;
+}
+
 FrameQuality QualityControl::still(Viewport viewport) const {
   FrameQuality quality = still_quality(settings_, viewport);
+  const Milliseconds with_one_ray = ray_ * pixels_of(viewport);
   while (quality.supersampling > 1 &&
-         whole_ * quality.supersampling * quality.supersampling > settings_.still_budget)
+         with_one_ray * quality.supersampling * quality.supersampling > settings_.still_budget)
     --quality.supersampling;
   return quality;
 }

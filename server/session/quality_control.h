@@ -20,6 +20,8 @@ class QualityControl {
   explicit QualityControl(const SessionSettings& settings);
 
   void rendered(const FrameQuality& quality, Milliseconds cost);
+  /// Of a frame for which rays were cast: what a still of this viewport will take follows from it.
+  void cast_rays(const FrameQuality& quality, Viewport viewport, Milliseconds rendering);
   void acknowledged(const FrameQuality& quality, std::size_t bytes, std::size_t bytes_in_flight,
                     Milliseconds round_trip);
 
@@ -32,7 +34,8 @@ class QualityControl {
   bool made_with_present_steps(const FrameQuality& quality) const;
 
   SessionSettings settings_;
-  Milliseconds whole_{0.0};  ///< the newest frame's cost, as if it had had one ray a pixel
+  int frames_cast_ = 0;
+  Milliseconds ray_{0.0};  ///< smoothed
   StepControl resolution_;
   StepControl compression_;
   LinkEstimate link_;

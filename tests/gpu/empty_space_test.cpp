@@ -49,6 +49,24 @@ TEST(EmptySpace, SkipsNothingThatAnObliqueAnisotropicGridHolds) {
   expect_same_bytes(scene_for(document, volume, {160, 120}), volume, 1.0);
 }
 
+TEST(EmptySpace, SkipsNothingHoweverOneLooks) {
+  const auto volume = load(make_phantom({PhantomKind::head, 64}, {}, {}));
+  const Json far = {{"eye_mm", {120, -400, 150}}, {"target_mm", {0, 0, 0}}, {"up", {0, 0, 1}}};
+  const Json inside = {{"eye_mm", {10, -20, 15}}, {"target_mm", {0, 60, 0}}, {"up", {0, 0, 1}}};
+  Json orthographic = far;
+  orthographic.update({{"projection", "orthographic"}, {"view_height_mm", 150}});
+  const Json bone = {{"iso_value", 200}, {"upper_value", 900}};
+  const Json filtered = Json::array({{{"name", "kuwahara"}, {"radius", 3}}, {{"name", "sobel"}}});
+  const std::vector<Json> views = {
+      {{"camera", orthographic}},
+      {{"camera", inside}},
+      {{"camera", far}, {"lens", {{"mode", "magic"}, {"radius_mm", 40}}}},
+      {{"camera", far}, {"lens", {{"mode", "none"}}}},
+      {{"camera", far}, {"focus", {{"surface", bone}}}, {"context", {{"surface", bone}}}},
+      {{"camera", far}, {"focus", {{"filters", filtered}}}, {"context", {{"filters", filtered}}}}};
+  for (const Json& view : views) expect_same_bytes(scene_for(view, volume, {101, 67}), volume, 1.0);
+}
+
 TEST(EmptySpace, AVolumeWithoutAnySurfaceIsBackground) {
   const auto volume = load(constant_volume(centred_geometry(32), -1000.0));
   const Scene scene = scene_for({{"context", {{"surface", {{"iso_value", -200}}}}},

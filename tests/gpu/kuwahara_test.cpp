@@ -5,7 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "support/analytic_volumes.h"
 #include "support/filter_harness.h"
+#include "support/gpu_harness.h"
 #include "support/reference_filters.h"
 
 namespace cutaway::test {
@@ -124,6 +126,20 @@ TEST(Kuwahara, OfItsLargestRadiusIsTheReferences) {
     for (int c = 0; c < 3; ++c)
       ASSERT_NEAR(actual.pixels[i].colour[c], expected.pixels[i].colour[c], 1.0 / 255.0) << i;
   }
+}
+
+// In a view of its own, which has no sums from before.
+TEST(Kuwahara, RadiusZeroChangesNothing) {
+  GpuHarness& gpu = GpuHarness::instance();
+  const auto volume = load(shells_volume(centred_geometry(32)));
+  const auto picture = [&](const Json& filters) {
+    const Scene scene = scene_for({{"context", {{"filters", filters}}}}, volume, {60, 40});
+    return gpu.render(scene, volume, settings_for(scene)).rgba;
+  };
+  const auto plain = picture(Json::array());
+  EXPECT_EQ(picture(Json::array({{{"name", "kuwahara"}, {"radius", 0}}})), plain);
+  EXPECT_NE(picture(Json::array({{{"name", "kuwahara"}, {"radius", 4}}})), plain);
+  EXPECT_EQ(picture(Json::array({{{"name", "kuwahara"}, {"radius", 0}}})), plain);
 }
 
 }  // namespace

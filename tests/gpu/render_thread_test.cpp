@@ -26,6 +26,7 @@ class RenderThreads : public testing::Test {
 
   RenderThreads()
       : volume_(load(shells_volume(centred_geometry(64)))),
+        // A picture of 64 x 48 takes about a dozen of these steps, one of 1600 x 1200 thousands.
         thread_({}, {.volume_bytes = kVolumeBytes, .step = 6000}) {}
 
   RenderRequest request(std::uint64_t view, glm::dvec3 background = glm::dvec3(0.0)) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "scene/view_geometry.h"
@@ -88,6 +89,25 @@ TEST_F(Views, WithoutALensHaveNoFocus) {
 TEST_F(Views, FromInsideTheVolumeAreTheWholePicture) {
   const gl::PixelRect whole{{0, 0}, kPicture};
   EXPECT_EQ(regions(scene("perspective", {1, 2, 3}, {0, 0, 0})).volume, whole);
+}
+
+TEST(PixelRects, PartsAroundAHoleCoverTheRestOnce) {
+  const gl::PixelRect outer{{3, 2}, {13, 9}};
+  const std::vector<gl::PixelRect> holes = {
+      {{5, 4}, {8, 6}},   {{0, 0}, {5, 5}},   {{10, 0}, {20, 20}}, {{4, 2}, {6, 9}},
+      {{0, 0}, {20, 20}}, {{14, 3}, {18, 6}}, {{6, 6}, {6, 6}}};
+  for (const gl::PixelRect& hole : holes) {
+    const auto parts = parts_around(outer, hole);
+    EXPECT_LE(parts.size(), 4U);
+    for (int y = 0; y < 20; ++y) {
+      for (int x = 0; x < 20; ++x) {
+        const auto holds = [&](const gl::PixelRect& rect) {
+          return x >= rect.begin.x && x < rect.end.x && y >= rect.begin.y && y < rect.end.y;
+        };
+        EXPECT_EQ(std::ranges::count_if(parts, holds), holds(outer) && !holds(hole) ? 1 : 0);
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ BranchImage filtered_on_gpu(const BranchImage& input, const Module& filter) {
   const FilterKey key{.filter = filter};
   const gl::PixelRect whole{{0, 0}, size};
   const FilterSums sums = filter_sums(size, FilterPass::reach_px(key));
-  for (int step = 0; step < FilterPass::steps(filter); ++step)
+  for (int step = FilterPass::first_step(key); step < FilterPass::steps(filter); ++step)
     pass.run(key, step, {colour, silhouette, surface, true}, {target, sums},
              FilterPass::region_of_step(key, step, whole), triangle);
   std::vector<glm::vec4> result(input.pixels.size());

@@ -44,6 +44,11 @@ gl::PixelRect FilterPass::region_of_step(const FilterKey& key, int step,
   return {region.begin, region.end + glm::ivec2(reach, step == 0 ? 2 * reach : reach)};
 }
 
+// Steps before the last fetch as many texels as they reach, or twice that.
+int FilterPass::cost_of_step(const FilterKey& key, int step) {
+  return step == steps(key.filter) - 1 ? 1 : 1 + reach_px(key) / 2;
+}
+
 void FilterPass::run(const FilterKey& key, int step, const FilterInput& input,
                      const FilterTarget& target, const gl::PixelRect& strip,
                      const gl::FullscreenTriangle& triangle) const {

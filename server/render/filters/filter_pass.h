@@ -37,9 +37,15 @@ class FilterPass {
  public:
   explicit FilterPass(const gl::ShaderLibrary& shaders);
 
-  /// How many steps the filter has, and what each draws where its picture's `region` is asked for.
+  /// The steps to draw, from `first_step` on (nothing to sum where nothing is reached), and what
+  /// each draws where its picture's `region` is asked for.
   static int steps(const Module& filter);
+  static int first_step(const FilterKey& key) {
+    return reach_px(key) == 0 ? steps(key.filter) - 1 : 0;
+  }
   static int reach_px(const FilterKey& key);
+  /// Of a pixel, in units of a simple pass' pixel.
+  static int cost_of_step(const FilterKey& key, int step);
   static gl::PixelRect region_of_step(const FilterKey& key, int step, const gl::PixelRect& region);
 
   void run(const FilterKey& key, int step, const FilterInput& input, const FilterTarget& target,

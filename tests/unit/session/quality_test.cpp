@@ -152,17 +152,21 @@ TEST_F(QualityControlTest, AStillTooLargeForItsRaysGetsFewerAPixelButEveryPixel)
 }
 
 TEST_F(QualityControlTest, AStillThatWouldTakeTooLongGetsFewerRaysAPixelButEveryPixel) {
+  constexpr Viewport kViewport{640, 480};
   FrameQuality moving;
   moving.resolution_scale = 0.5;
-  quality.rendered(moving, Milliseconds(30.0));  // 480 ms with four rays a pixel
-  EXPECT_EQ(quality.still({640, 480}).supersampling, 2);
-  quality.rendered(moving, Milliseconds(32.0));
-  EXPECT_EQ(quality.still({640, 480}).supersampling, 1);
-  EXPECT_EQ(quality.still({640, 480}).resolution_scale, 1.0);
-  FrameQuality still = quality.still({640, 480});
+  quality.cast_rays(moving, kViewport, Milliseconds(5000.0));  // the first makes buffers, too
+  EXPECT_EQ(quality.still(kViewport).supersampling, 2);
+  quality.cast_rays(moving, kViewport, Milliseconds(30.0));  // 480 ms with four rays a pixel
+  EXPECT_EQ(quality.still(kViewport).supersampling, 2);
+  EXPECT_EQ(quality.still({1280, 960}).supersampling, 1);  // of a window that has grown since
+  for (int i = 0; i < 20; ++i) quality.cast_rays(moving, kViewport, Milliseconds(32.0));
+  EXPECT_EQ(quality.still(kViewport).supersampling, 1);
+  EXPECT_EQ(quality.still(kViewport).resolution_scale, 1.0);
+  FrameQuality still = quality.still(kViewport);
   still.supersampling = 2;
-  quality.rendered(still, Milliseconds(400.0));
-  EXPECT_EQ(quality.still({640, 480}).supersampling, 2);
+  for (int i = 0; i < 20; ++i) quality.cast_rays(still, kViewport, Milliseconds(400.0));
+  EXPECT_EQ(quality.still(kViewport).supersampling, 2);
 }
 
 TEST_F(QualityControlTest, SlowRenderingLowersResolutionOnly) {
