@@ -121,7 +121,11 @@ void FrameFlow::came_back(std::uint64_t id, FrameOutcome outcome) {
   check(asked != asked_.end(), "a frame comes back once");
   const SceneSnapshot shown = std::move(asked->snapshot);
   asked_.erase(asked);
-  if (auto* frame = std::get_if<Frame>(&outcome)) {
+  auto* frame = std::get_if<Frame>(&outcome);
+  // Frames are compressed side by side: one that a newer has overtaken would show the past.
+  const bool is_overtaken = id < last_sent_id_;
+  if (frame != nullptr && !is_overtaken) {
+    last_sent_id_ = id;
     send(shown, *frame);
   } else {
     credits_.give_back();

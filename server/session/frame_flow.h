@@ -80,6 +80,7 @@ class FrameFlow {
   std::deque<Asked> asked_;
   std::deque<Sent> sent_;
   std::uint64_t last_id_ = 0;
+  std::uint64_t last_sent_id_ = 0;
   std::uint32_t last_number_ = 0;
   std::optional<std::uint32_t> acknowledged_;
   std::unique_ptr<Alarm> alarm_;

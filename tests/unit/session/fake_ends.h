@@ -2,6 +2,7 @@
 // by hand, a client that keeps what it was sent.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <set>
 #include <string>
@@ -52,6 +53,8 @@ class FakeFrames final : public FrameSource {
     waiting_.pop_front();
     return begun_.back().request;
   }
+  /// The newest begun request ends before the others.
+  void overtake() { std::ranges::rotate(begun_, std::prev(begun_.end())); }
   /// Ends the oldest begun request, or the oldest waiting one.
   FrameRequest finish(std::uint32_t render_us = 5000, std::size_t bytes = 100) {
     Job job = next();

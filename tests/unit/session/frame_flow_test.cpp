@@ -90,6 +90,20 @@ TEST_F(FrameFlowTest, HasTwoFramesInFlightAtMost) {
   EXPECT_EQ(frames.begin().revision, 3);
 }
 
+TEST_F(FrameFlowTest, AFrameThatANewerHasOvertakenIsNotSentAndReturnsItsCredit) {
+  show(1);
+  frames.begin();
+  show(2);
+  frames.begin();
+  frames.overtake();
+  EXPECT_EQ(finish().revision, 2);
+  EXPECT_EQ(finish().revision, 1);
+  ASSERT_EQ(client.frames.size(), 1);
+  EXPECT_EQ(client.frames[0].header.revision, 2);
+  show(3);
+  EXPECT_EQ(frames.submitted, 3) << "one is on its way, one credit is free";
+}
+
 TEST_F(FrameFlowTest, RendersNothingForAClientThatNeverAcknowledges) {
   for (std::uint32_t revision = 1; revision <= 50; ++revision) {
     show(revision);
