@@ -148,7 +148,13 @@ describe('the wait before a new attempt', () => {
   it('doubles up to a limit', () => {
     const backoff = new ReconnectBackoff(() => 1);
     const waits_ms = Array.from({ length: 8 }, () => backoff.nextDelayMs());
-    expect(waits_ms).toEqual([250, 500, 1000, 2000, 4000, 8000, 8000, 8000]);
+    expect(waits_ms).toEqual([250, 500, 1000, 2000, 2000, 2000, 2000, 2000]);
+  });
+
+  it('grows longer where the server is full', () => {
+    const backoff = new ReconnectBackoff(() => 1);
+    const waits_ms = Array.from({ length: 8 }, () => backoff.nextDelayMs(true));
+    expect(waits_ms).toEqual([250, 500, 1000, 2000, 4000, 8000, 15000, 15000]);
   });
 
   it('is spread over half of itself', () => {

@@ -32,7 +32,34 @@ describe('a lost connection', { skip }, () => {
     assert.ok(meanDifference(picture, await viewer.pixels()) < 0.5);
     await viewer.after(() => viewer.drag([x, y + 200], [x + 50, y + 200]));
 
-    viewer.complaints = viewer.complaints.filter((text) => !text.includes('WebSocket connection'));
-    await viewer.close();
+    await viewer.closeAfterLoss();
+  });
+
+  it('in the middle of a drag loses nothing of it', async () => {
+    const viewer = await Viewer.open(suite.browser, suite.server.url, DESKTOP);
+    await viewer.settled();
+    const { mouse } = viewer.page;
+    const [x, y] = await viewer.stageMiddle();
+    const { width, height } = await viewer.stageBox();
+    const eighth = Math.min(width, height) / 4;
+    await mouse.move(x - eighth, y + 200);
+    await mouse.down();
+    await mouse.move(x - eighth / 2, y + 200, { steps: 4 });
+    await suite.server.kill();
+    await viewer.app('[data-connection=waiting]').waitFor();
+    await mouse.move(x, y + 200, { steps: 4 });
+    await suite.server.startAgain();
+    const connected = viewer.app('[data-connection=connected]').waitFor();
+    await mouse.move(x + eighth / 2, y + 200, { steps: 40 });
+    await connected;
+    await mouse.move(x + eighth, y + 200, { steps: 10 });
+    await mouse.up();
+    await viewer.page.locator('[data-part=toast]', { hasText: 'Connected again' }).waitFor();
+    await viewer.settled();
+    assert.equal(await viewer.edgeLetters(), 'S A I P');
+    assert.equal(await viewer.page.getByRole('alert').count(), 0);
+    await viewer.after(() => viewer.page.keyboard.press('Control+z'));
+    assert.equal(await viewer.edgeLetters(), 'S L I R');
+    await viewer.closeAfterLoss();
   });
 });

@@ -1,6 +1,6 @@
 // The page: bar, picture, panel, messages. Its attributes tell where it stands, for tests and for
 // styling.
-import { css, html, type PropertyValues } from 'lit';
+import { css, html, nothing, type PropertyValues } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import '@awesome.me/webawesome/dist/components/icon/icon.js';
 import { shared } from '../styles/shared.ts';
@@ -8,6 +8,7 @@ import { linkReason } from '../state/link_reason.ts';
 import './help_dialog.ts';
 import './panel.ts';
 import { SessionElement } from './session_element.ts';
+import './status_line.ts';
 import './toast_stack.ts';
 import './top_bar.ts';
 import './viewport.ts';
@@ -25,6 +26,7 @@ export class CutawayApp extends SessionElement {
     'address_current',
     'lens_follows',
     'comparing',
+    'stalled',
   ] as const;
 
   @property({ attribute: false }) canvas!: HTMLCanvasElement;
@@ -46,6 +48,7 @@ export class CutawayApp extends SessionElement {
       main {
         grid-area: picture;
         display: grid;
+        grid-template: minmax(0, 1fr) auto / minmax(0, 1fr);
         min-width: 0;
         min-height: 0;
       }
@@ -106,6 +109,7 @@ export class CutawayApp extends SessionElement {
       <cutaway-top-bar role="banner" .session=${this.session}></cutaway-top-bar>
       <main>
         <cutaway-viewport .session=${this.session} .canvas=${this.canvas}></cutaway-viewport>
+        ${this.state.preferences.status_line ? html`<cutaway-status-line .session=${this.session}></cutaway-status-line>` : nothing}
       </main>
       <aside aria-label=${words().page.volumes_and_settings}>
         <cutaway-panel .session=${this.session}></cutaway-panel>
@@ -117,10 +121,11 @@ export class CutawayApp extends SessionElement {
   }
 
   private announcement(): string {
-    const { link, loading, volume, lens_follows, awaits_volume, comparing } = this.state;
+    const { link, loading, volume, lens_follows, awaits_volume, comparing, stalled } = this.state;
     const texts = words().page;
     if (link.phase === 'waiting') return texts.disconnected(linkReason(link));
     if (link.phase === 'queued') return texts.queue(link.place);
+    if (stalled) return texts.stalled;
     if (loading) return texts.opening(texts.stages[loading.stage]);
     if (awaits_volume) return texts.looking_for_volumes;
     if (comparing) return texts.comparing;

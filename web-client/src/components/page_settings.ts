@@ -29,8 +29,20 @@ export class PageSettings extends SessionElement {
     const themes = Object.entries(settings.themes).map(([value, label]) => ({ value, label }));
     return html`<cutaway-section heading=${settings.heading} open>
       ${this.choice('language', settings.language, languages)}
-      ${this.choice('theme', settings.theme, themes)}
+      ${this.choice('theme', settings.theme, themes)} ${this.statusLine()}
     </cutaway-section>`;
+  }
+
+  private statusLine() {
+    const control: Control = {
+      kind: 'boolean',
+      id: 'page-status-line',
+      label: words().panel.settings.status_line,
+      description: '',
+      value: this.state.preferences.status_line,
+      toPatch: (status_line) => ({ status_line }),
+    };
+    return html`<cutaway-control .control=${control} .change=${this.change}></cutaway-control>`;
   }
 
   private choice(name: 'language' | 'theme', label: string, choices: readonly Choice[]) {

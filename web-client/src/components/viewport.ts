@@ -13,6 +13,7 @@ import { linkReason } from '../state/link_reason.ts';
 import { toolInHand } from '../state/measure_state.ts';
 import type { Point, Viewport } from '../view/camera.ts';
 import { shared } from '../styles/shared.ts';
+import './hints.ts';
 import './lens_overlay.ts';
 import './loading_card.ts';
 import './measure_overlay.ts';
@@ -38,6 +39,7 @@ export class CutawayViewport extends SessionElement {
     'lens_follows',
     'comparing',
     'measure',
+    'stalled',
   ] as const;
 
   @property({ attribute: false }) canvas!: HTMLCanvasElement;
@@ -196,6 +198,7 @@ export class CutawayViewport extends SessionElement {
       <cutaway-measure-overlay .session=${this.session}></cutaway-measure-overlay>
       <cutaway-orientation-marks .session=${this.session}></cutaway-orientation-marks>
       <cutaway-orientation-cube .session=${this.session}></cutaway-orientation-cube>
+      <cutaway-hints .session=${this.session}></cutaway-hints>
       <cutaway-picture-notices .session=${this.session}></cutaway-picture-notices>
       <cutaway-scale-bar .session=${this.session}></cutaway-scale-bar>
       <cutaway-measure-toolbar .session=${this.session}></cutaway-measure-toolbar>
@@ -226,6 +229,8 @@ export class CutawayViewport extends SessionElement {
     const texts = words().page;
     if (link.phase === 'queued')
       return html`<div class="banner"><span>${texts.queue(link.place)}</span></div>`;
+    if (link.phase === 'connected' && this.state.stalled)
+      return html`<div class="banner" data-part="stalled"><span>${texts.stalled}</span></div>`;
     if (link.phase !== 'waiting') return nothing;
     return html`<div class="banner">
       <span>${texts.reconnecting(linkReason(link))}</span>

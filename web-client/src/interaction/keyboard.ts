@@ -126,6 +126,12 @@ export const KEY_BINDINGS: readonly KeyBinding[] = [
   { keys: '.', meaning: 'roll_right', group: 'view', apply: key('.', (c) => c.roll(ROLL_RADIANS)) },
   { keys: 'r', meaning: 'reset_view', group: 'view', apply: key('r', (c) => c.resetView()) },
   { keys: 'p', meaning: 'toggle_panel', group: 'page', apply: key('p', (c) => c.togglePanel()) },
+  {
+    keys: 'i',
+    meaning: 'status_line',
+    group: 'page',
+    apply: key('i', (c) => c.toggleStatusLine()),
+  },
   { keys: '?', meaning: 'help', group: 'page', apply: key('?', (c) => c.toggleHelp()) },
 ];
 

@@ -2,7 +2,10 @@
 // fleet of pages does not come back to a restarted server in one instant.
 
 const FIRST_MS = 250;
-const LONGEST_MS = 8_000;
+/** A page is back within three seconds of its server. */
+const LONGEST_MS = 2_000;
+/** A full server is not asked as often. */
+const LONGEST_WHEN_FULL_MS = 15_000;
 
 export class ReconnectBackoff {
   private failures = 0;
@@ -11,8 +14,9 @@ export class ReconnectBackoff {
   constructor(private readonly random: () => number = Math.random) {}
 
   /** Between half and all of the doubled time. */
-  nextDelayMs(): number {
-    const full_ms = Math.min(LONGEST_MS, FIRST_MS * 2 ** this.failures);
+  nextDelayMs(server_is_full = false): number {
+    const longest_ms = server_is_full ? LONGEST_WHEN_FULL_MS : LONGEST_MS;
+    const full_ms = Math.min(longest_ms, FIRST_MS * 2 ** this.failures);
     this.failures += 1;
     return full_ms * (0.5 + 0.5 * this.random());
   }

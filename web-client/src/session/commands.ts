@@ -199,6 +199,10 @@ export class Commands {
     this.store.update({ preferences: { ...this.store.state.preferences, ...change } });
   }
 
+  toggleStatusLine(): void {
+    this.prefer({ status_line: !this.store.state.preferences.status_line });
+  }
+
   toggleHelp(help_open = !this.store.state.help_open): void {
     this.store.update({ help_open });
   }

@@ -11,10 +11,17 @@ import type { SceneLink } from './scene_link.ts';
 import type { Toasts } from './toasts.ts';
 import { words } from '../words/words.ts';
 
+interface Asked {
+  readonly input: number;
+  readonly refusal: string;
+  /** It is the view before the connection was lost. */
+  readonly restores: boolean;
+}
+
 export class SceneOpening {
   private begun = false;
   /** The input under which a whole scene was asked for, and what to say should it be refused. */
-  private asked: { readonly input: number; readonly refusal: string } | undefined;
+  private asked: Asked | undefined;
 
   constructor(
     private readonly store: Store<ViewerState>,
@@ -35,7 +42,7 @@ export class SceneOpening {
     if (awaits_volume) return this.openDefault();
     if (this.begun || !capabilities || volumes.length === 0) return;
     this.begun = true;
-    if (scene) this.ask(scene as JsonObject, words().messages.view_not_restored);
+    if (scene) this.ask(scene as JsonObject, words().messages.view_not_restored, true);
     else if (!(await this.openAddress(address))) this.openDefault();
   }
 
@@ -63,9 +70,16 @@ export class SceneOpening {
     return true;
   }
 
-  private ask(scene: JsonObject, refusal: string): void {
+  /** The server has taken a scene over. */
+  told(): void {
+    const { restored, restored_detail } = words().messages;
+    if (this.asked?.restores) this.toasts.note(restored, restored_detail);
+    this.asked = undefined;
+  }
+
+  private ask(scene: JsonObject, refusal: string, restores = false): void {
     this.store.update({ awaits_volume: false });
-    this.asked = { input: this.link.replace(scene), refusal };
+    this.asked = { input: this.link.replace(scene), refusal, restores };
   }
 
   private openDefault(): void {

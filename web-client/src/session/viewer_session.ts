@@ -23,6 +23,7 @@ import { OwnStyling } from './own_styling.ts';
 import { Picker } from './picker.ts';
 import { SceneLink } from './scene_link.ts';
 import { SceneOpening } from './scene_opening.ts';
+import { watchForStalls } from './stall_watch.ts';
 import { StylePreviews } from './style_previews.ts';
 import { Toasts } from './toasts.ts';
 import type { Language } from '../words/language.ts';
@@ -75,6 +76,7 @@ export class ViewerSession {
     this.measuring = new Measuring(this.store, this.picker, this.toasts, parts.saveFile);
     this.own_styling = new OwnStyling(this.store, this.commands, this.toasts, parts);
     this.previews = new StylePreviews(this.store, stream, requests);
+    watchForStalls(this.store);
   }
 
   /** The user has put another link into the address. */
@@ -153,6 +155,7 @@ export class ViewerSession {
       case 'scene': {
         this.link.told(message);
         if (!message.volume) return;
+        this.opening.told();
         this.told.volume = message.volume;
         this.publish();
         return this.findBaseStyle();

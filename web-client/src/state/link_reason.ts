@@ -4,6 +4,6 @@ import { words } from '../words/words.ts';
 
 type Waiting = Extract<LinkState, { phase: 'waiting' }>;
 
-/** What the server itself said, where it did. */
+/** What the server itself said, where nothing more is known than that the connection was lost. */
 export const linkReason = ({ reason, said }: Waiting): string =>
-  said || words().page.link_reasons[reason];
+  (reason === 'lost' && said) || words().page.link_reasons[reason];

@@ -49,6 +49,8 @@ export interface ViewerState {
   readonly shown: ShownFrame | undefined;
   /** What the picture shows; behind `scene` by its latency. */
   readonly shown_scene: Scene | undefined;
+  /** An input has waited long for its picture. */
+  readonly stalled: boolean;
   readonly frames_per_second: number;
   /** By style: the scene in that style, small. */
   readonly previews: ReadonlyMap<string, ImageBitmap>;
@@ -86,6 +88,7 @@ export const INITIAL_STATE: ViewerState = {
   sent_input: 0,
   shown: undefined,
   shown_scene: undefined,
+  stalled: false,
   frames_per_second: 0,
   previews: new Map(),
   pointer_held: false,

@@ -2,6 +2,10 @@
 import { ReconnectBackoff } from '../protocol/reconnect_backoff.ts';
 import type { LinkReason, LinkState } from './worker_messages.ts';
 
+/** Close codes of RFC 6455 and its registry. */
+const TOO_LARGE = 1009;
+const TRY_AGAIN_LATER = 1013;
+
 const SUBPROTOCOL = 'cutaway.v1';
 /**
  * A session counts as working once it has lasted this long; before, the next wait is longer still.
@@ -15,7 +19,8 @@ export interface LinkListener {
 }
 
 function reasonFor(close: CloseEvent, was_open: boolean): LinkReason {
-  if (close.code === 1009) return 'too_large';
+  if (close.code === TOO_LARGE) return 'too_large';
+  if (close.code === TRY_AGAIN_LATER) return 'full';
   return was_open ? 'lost' : 'no_answer';
 }
 
@@ -65,11 +70,12 @@ export class ServerLink {
     if (was_open && performance.now() - (this.opened_at_ms ?? 0) > SETTLED_MS) this.backoff.reset();
     this.socket = undefined;
     this.opened_at_ms = undefined;
-    const retry_in_ms = this.backoff.nextDelayMs();
+    const reason = reasonFor(event, was_open);
+    const retry_in_ms = this.backoff.nextDelayMs(reason === 'full');
     this.listener.onLinkState({
       phase: 'waiting',
       retry_in_ms,
-      reason: reasonFor(event, was_open),
+      reason,
       said: event.reason,
     });
     this.retry = setTimeout(() => this.connect(), retry_in_ms);

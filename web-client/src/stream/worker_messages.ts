@@ -27,7 +27,7 @@ export type LinkState =
       readonly said: string;
     };
 
-export type LinkReason = 'lost' | 'no_answer' | 'too_large';
+export type LinkReason = 'lost' | 'no_answer' | 'too_large' | 'full';
 
 export type FromWorker =
   | { readonly kind: 'link'; readonly state: LinkState }

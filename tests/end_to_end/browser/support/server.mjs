@@ -11,31 +11,34 @@ const binary = process.env.CUTAWAY_BINARY;
 export const isStandIn = !binary;
 
 /** The executable finds the built client beside itself, in its own repository. */
-function commandFor(port, data) {
-  const folders = data.flatMap((folder) => ['--data', folder]);
-  if (!isStandIn) return [binary, ['serve', '--listen', `127.0.0.1:${port}`, ...folders]];
+function commandFor(port, options) {
+  if (!isStandIn) return [binary, ['serve', '--listen', `127.0.0.1:${port}`, ...options]];
   const stand_in = `${repository}web-client/dev/mock-server.mjs`;
   return [process.execPath, [stand_in, '--port', String(port)]];
 }
 
 export class Server {
   #process;
-  #data;
+  #options;
   url;
 
-  constructor(data) {
-    this.#data = data;
+  constructor(options) {
+    this.#options = options;
   }
 
-  /** Port 0 picks a free one. `data` are folders with volumes; the stand-in reads none. */
-  static async start({ port = 0, data = [] } = {}) {
-    const server = new Server(data);
+  /**
+   * Port 0 picks a free one. `data` are folders with volumes, `config` is a file; the stand-in takes
+   * neither.
+   */
+  static async start({ port = 0, data = [], config } = {}) {
+    const folders = data.flatMap((folder) => ['--data', folder]);
+    const server = new Server([...folders, ...(config ? ['--config', config] : [])]);
     await server.#start(port);
     return server;
   }
 
   async #start(port) {
-    const [command, options] = commandFor(port, this.#data);
+    const [command, options] = commandFor(port, this.#options);
     this.#process = spawn(command, options, {
       stdio: ['ignore', 'pipe', 'pipe'],
     });
@@ -62,6 +65,15 @@ export class Server {
     const exit = once(this.#process, 'exit');
     this.#process.kill('SIGKILL');
     await exit;
+  }
+
+  /** Answers nothing until it goes on. */
+  stall() {
+    this.#process.kill('SIGSTOP');
+  }
+
+  goOn() {
+    this.#process.kill('SIGCONT');
   }
 
   async startAgain() {

@@ -5,7 +5,8 @@ import { join } from 'node:path';
 
 const LIMIT_MS = 60_000;
 const OVERLAYS =
-  'cutaway-lens-overlay, cutaway-orientation-marks, cutaway-orientation-cube, cutaway-picture-notices';
+  'cutaway-lens-overlay, cutaway-orientation-marks, cutaway-orientation-cube, cutaway-picture-notices, ' +
+  'cutaway-hints';
 const screenshotFolder = process.env.CUTAWAY_SCREENSHOTS;
 
 export class Viewer {
@@ -26,8 +27,14 @@ export class Viewer {
     });
   }
 
+  /** As on a later visit: what a first visit is told has been seen. */
   static async open(browser, url, options) {
-    const context = await browser.newContext(options);
+    const preferences = { name: 'cutaway.preferences', value: '{"version":1,"hints_seen":true}' };
+    const origins = [{ origin: new URL(url).origin, localStorage: [preferences] }];
+    const context = await browser.newContext({
+      storageState: { cookies: [], origins },
+      ...options,
+    });
     const viewer = new Viewer(await context.newPage(), url);
     await viewer.page.goto(url);
     return viewer;
@@ -36,6 +43,12 @@ export class Viewer {
   async close() {
     await this.page.context().close();
     assert.deepEqual(this.complaints, []);
+  }
+
+  /** Where a connection was lost on purpose, of which the browser itself complains. */
+  async closeAfterLoss() {
+    this.complaints = this.complaints.filter((text) => !text.includes('WebSocket connection'));
+    await this.close();
   }
 
   app(condition = '') {

@@ -53,6 +53,7 @@ export const keys = {
     take_back_point: 'With a tool: take back the last point',
     cancel_measuring: 'Give up the measurement, then the tool',
     reset_view: 'Reset the view',
+    status_line: 'Status line on or off',
     toggle_panel: 'Show or hide the panel',
     help: 'This sheet',
   },

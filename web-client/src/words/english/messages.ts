@@ -28,6 +28,8 @@ export const messages = {
     no_scene: 'the link holds no scene',
   },
   view_not_restored: 'The view before the interruption could not be restored',
+  restored: 'Connected again',
+  restored_detail: 'The view is as it was.',
   opening_cancelled: 'Opening was cancelled',
   unexpected: 'Something unexpected came from the server',
   nothing_to_compare: 'There is no previous style to compare with yet',

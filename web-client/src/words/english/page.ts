@@ -32,12 +32,15 @@ export const page = {
   connecting: 'Connecting…',
   reconnecting: (reason: string) => `Reconnecting: ${reason}.`,
   disconnected: (reason: string) => `Disconnected: ${reason}. Trying again.`,
+  stalled:
+    'No new picture for a while: the server is busy or the connection stalls. The page goes on by itself.',
   try_now: 'Try now',
   queue: (place: number) =>
     `The server is full. ${
       place === 1 ? 'You are next' : `You are number ${place} in the queue`
     }; this page goes on by itself.`,
   link_reasons: {
+    full: 'the server is full',
     lost: 'the connection was lost',
     no_answer: 'the server does not answer',
     too_large: 'a message was far larger than the server takes',
@@ -75,4 +78,26 @@ export const page = {
     failed: 'Failed',
   },
   dismiss: 'Dismiss',
+
+  status: {
+    name: 'Status',
+    frames_per_second: 'Frames per second',
+    at_rest: 'at rest',
+    latency: 'Latency',
+    bytes: 'Picture',
+    scale: 'Resolution',
+    quality: 'Quality',
+    high: 'high',
+    in_motion: 'in motion',
+    lossless: 'lossless',
+    renderer: 'Renderer',
+  },
+  hints: {
+    name: 'Hints',
+    turn: 'Drag to turn, wheel to zoom',
+    turn_by_touch: 'One finger turns, two zoom',
+    lens: 'Drag the lens to look inside',
+    style: 'Styles, volumes and more in the panel',
+    got_it: 'Got it',
+  },
 };

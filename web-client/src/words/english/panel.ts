@@ -72,6 +72,7 @@ export const panel = {
     heading: 'This page',
     language: 'Language',
     as_browser: 'As the browser',
+    status_line: 'Status line under the picture',
     theme: 'Theme',
     themes: { system: 'As the system', dark: 'Dark', light: 'Light' },
   },

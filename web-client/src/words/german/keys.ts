@@ -50,6 +50,7 @@ export const keys: Words['keys'] = {
     take_back_point: 'Mit Werkzeug: letzten Punkt zurücknehmen',
     cancel_measuring: 'Messung aufgeben, dann das Werkzeug',
     reset_view: 'Ansicht zurücksetzen',
+    status_line: 'Statuszeile an oder aus',
     toggle_panel: 'Seitenleiste ein- oder ausblenden',
     help: 'Diese Übersicht',
   },

@@ -25,6 +25,8 @@ export const messages: Words['messages'] = {
     no_scene: 'der Link enthält keine Szene',
   },
   view_not_restored: 'Die Ansicht vor der Unterbrechung konnte nicht wiederhergestellt werden',
+  restored: 'Wieder verbunden',
+  restored_detail: 'Die Ansicht ist wie zuvor.',
   opening_cancelled: 'Das Öffnen wurde abgebrochen',
   unexpected: 'Etwas Unerwartetes kam vom Server',
   nothing_to_compare: 'Es gibt noch keinen vorigen Stil zum Vergleichen',

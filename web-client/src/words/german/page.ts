@@ -32,12 +32,15 @@ export const page: Words['page'] = {
   connecting: 'Verbindung wird aufgebaut …',
   reconnecting: (reason) => `Verbindet neu: ${reason}.`,
   disconnected: (reason) => `Getrennt: ${reason}. Ein neuer Versuch läuft.`,
+  stalled:
+    'Seit einer Weile kein neues Bild: der Server ist beschäftigt oder die Verbindung stockt. Die Seite macht von selbst weiter.',
   try_now: 'Jetzt versuchen',
   queue: (place) =>
     `Der Server ist voll. ${
       place === 1 ? 'Sie sind als Nächstes an der Reihe' : `Sie stehen an Stelle ${place}`
     }; diese Seite macht von selbst weiter.`,
   link_reasons: {
+    full: 'der Server ist voll',
     lost: 'die Verbindung ging verloren',
     no_answer: 'der Server antwortet nicht',
     too_large: 'eine Nachricht war weit größer, als der Server annimmt',
@@ -75,4 +78,26 @@ export const page: Words['page'] = {
     failed: 'Fehlgeschlagen',
   },
   dismiss: 'Schließen',
+
+  status: {
+    name: 'Status',
+    frames_per_second: 'Bilder je Sekunde',
+    at_rest: 'in Ruhe',
+    latency: 'Latenz',
+    bytes: 'Bild',
+    scale: 'Auflösung',
+    quality: 'Qualität',
+    high: 'hoch',
+    in_motion: 'in Bewegung',
+    lossless: 'verlustfrei',
+    renderer: 'Renderer',
+  },
+  hints: {
+    name: 'Hinweise',
+    turn: 'Ziehen dreht, das Rad zoomt',
+    turn_by_touch: 'Ein Finger dreht, zwei zoomen',
+    lens: 'Die Linse ziehen, um hineinzusehen',
+    style: 'Stile, Volumen und mehr in der Leiste',
+    got_it: 'Verstanden',
+  },
 };

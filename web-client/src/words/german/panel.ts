@@ -76,6 +76,7 @@ export const panel: Words['panel'] = {
     heading: 'Diese Seite',
     language: 'Sprache',
     as_browser: 'Wie der Browser',
+    status_line: 'Statuszeile unter dem Bild',
     theme: 'Farbschema',
     themes: { system: 'Wie das System', dark: 'Dunkel', light: 'Hell' },
   },

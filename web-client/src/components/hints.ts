@@ -1,0 +1,172 @@
+// Three hints of the first visit, each where it is of use. One goes once it has been followed; all
+// of them when they are sent away.
+import { css, html, nothing, type PropertyValues } from 'lit';
+import { customElement, state } from 'lit/decorators.js';
+import { styleMap } from 'lit/directives/style-map.js';
+import type { Scene } from '../protocol/messages.ts';
+import { sameLook } from '../state/look.ts';
+import { cameraOf } from '../state/scene_parts.ts';
+import { pixelSizeMm, projectPx } from '../view/camera.ts';
+import { pictureToElement } from '../view/picture_fit.ts';
+import { shared } from '../styles/shared.ts';
+import { words } from '../words/words.ts';
+import { SessionElement } from './session_element.ts';
+
+type Hint = 'turn' | 'lens' | 'style';
+
+const HINTS: readonly Hint[] = ['turn', 'lens', 'style'];
+const NO_HOVER = '(hover: none)';
+/** Of the hint from the lens' rim. */
+const GAP_CSS_PX = 14;
+
+const changed = (before: unknown, now: unknown): boolean =>
+  JSON.stringify(before) !== JSON.stringify(now);
+
+@customElement('cutaway-hints')
+export class Hints extends SessionElement {
+  protected override readonly draws = [
+    'preferences',
+    'shown',
+    'shown_scene',
+    'scene',
+    'link',
+    'loading',
+    'comparing',
+  ] as const;
+
+  @state() private followed: ReadonlySet<Hint> = new Set();
+  private first: Scene | undefined;
+
+  static override styles = [
+    shared,
+    css`
+      :host {
+        position: absolute;
+        inset: 0;
+        overflow: hidden;
+        pointer-events: none;
+      }
+      section {
+        position: absolute;
+        inset: 0;
+      }
+      .hint {
+        position: absolute;
+        display: flex;
+        align-items: center;
+        gap: 8px;
+        width: max-content;
+        max-width: min(260px, calc(100% - 32px));
+        padding: 7px 12px;
+        border-radius: 999px;
+        background: var(--on-picture-accent);
+        color: var(--on-picture-on-accent);
+        font-size: 13px;
+        font-weight: 550;
+        line-height: 1.25;
+        box-shadow: var(--shadow);
+        animation: appear 300ms ease-out;
+      }
+      .turn,
+      .lens {
+        transform: translateX(-50%);
+      }
+      .turn {
+        left: 50%;
+        bottom: 84px;
+      }
+      .style {
+        top: 116px;
+        right: 14px;
+      }
+      button {
+        position: absolute;
+        left: 50%;
+        bottom: 40px;
+        transform: translateX(-50%);
+        padding: 6px 16px;
+        border: 1px solid rgb(255 255 255 / 55%);
+        border-radius: 999px;
+        background: rgb(10 13 15 / 86%);
+        color: var(--on-picture-text);
+        pointer-events: auto;
+      }
+      @keyframes appear {
+        from {
+          opacity: 0;
+        }
+      }
+      @media (pointer: coarse) {
+        button {
+          min-height: 44px;
+        }
+        .turn {
+          bottom: 96px;
+        }
+      }
+    `,
+  ];
+
+  private get wanted(): boolean {
+    const { preferences, shown, link, loading, comparing } = this.state;
+    const shows = shown !== undefined && link.phase === 'connected' && !loading && !comparing;
+    return shows && !preferences.hints_seen;
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const { scene } = this.state;
+    if (!this.wanted || !scene?.camera || !scene.lens?.centre_mm) return;
+    if (this.first?.volume !== scene.volume) this.first = scene;
+    this.follow(this.first ?? scene, scene);
+  }
+
+  private follow(first: Scene, scene: Scene): void {
+    const done: Readonly<Record<Hint, boolean>> = {
+      turn: changed(first.camera, scene.camera),
+      lens: changed(first.lens?.centre_mm, scene.lens?.centre_mm),
+      style: !sameLook(scene, first),
+    };
+    const now = HINTS.filter((hint) => done[hint] && !this.followed.has(hint));
+    if (now.length === 0) return;
+    this.followed = new Set([...this.followed, ...now]);
+    if (this.followed.size === HINTS.length) this.sendAway();
+  }
+
+  private readonly sendAway = (): void => this.session.commands.prefer({ hints_seen: true });
+
+  override render() {
+    if (!this.wanted) return nothing;
+    const { hints } = words().page;
+    const touch = matchMedia(NO_HOVER).matches;
+    const texts: Readonly<Record<Hint, string>> = {
+      turn: touch ? hints.turn_by_touch : hints.turn,
+      lens: hints.lens,
+      style: hints.style,
+    };
+    return html`<section aria-label=${hints.name} data-part="hints">
+      ${HINTS.filter((hint) => !this.followed.has(hint)).map(
+        (hint) =>
+          html`<p class="hint ${hint}" style=${styleMap(this.placeOf(hint))}>${texts[hint]}</p>`,
+      )}
+      <button @click=${this.sendAway}>${hints.got_it}</button>
+    </section>`;
+  }
+
+  /** The lens' hint is under its rim; the others' places are in the styles. */
+  private placeOf(hint: Hint): Readonly<Record<string, string>> {
+    if (hint !== 'lens') return {};
+    const { shown, shown_scene } = this.state;
+    const camera = cameraOf(shown_scene);
+    const { centre_mm, radius_mm, mode } = shown_scene?.lens ?? {};
+    if (!shown || !camera || !centre_mm || !radius_mm || mode === 'none')
+      return { display: 'none' };
+    const viewport = { width_px: shown.viewport_width_px, height_px: shown.viewport_height_px };
+    const centre_px = projectPx(camera, viewport, centre_mm);
+    if (!centre_px) return { display: 'none' };
+    const radius_px = radius_mm / pixelSizeMm(camera, viewport, centre_mm);
+    const size = { width: this.clientWidth, height: this.clientHeight };
+    const [left, top] = pictureToElement([centre_px[0], centre_px[1] + radius_px], viewport, size);
+    return { left: `${left}px`, top: `${top + GAP_CSS_PX}px` };
+  }
+}
