@@ -89,7 +89,7 @@ class Session {
   TokenBucket message_rate_;
   TokenBucket refusal_rate_;
   SceneState state_;
-  InputStamp stamp_;
+  InputStamp stamp_;  ///< of the newest message that changed the scene, or will
   FrameFlow flow_;
   StillSaver stills_;
   PreviewMaker previews_;

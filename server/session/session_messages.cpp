@@ -30,7 +30,7 @@ void Session::handle(const SceneMessage& message) {
   }
   if (wanted && !wants_shown) {
     pending_->document = changed_document(pending_->document, message.scene, message.replace);
-    pending_->stamp = message.stamp;
+    stamp_ = pending_->stamp = message.stamp;
     return;
   }
   change_shown(message);

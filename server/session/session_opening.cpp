@@ -7,6 +7,7 @@ namespace cutaway {
 
 void Session::open_volume(const std::string& id, Json document, InputStamp stamp) {
   stop_opening();
+  stamp_ = stamp;
   pending_ = Pending{.volume = id, .document = std::move(document), .stamp = stamp};
   opening_.begin(id);
 }
@@ -42,7 +43,8 @@ void Session::opening_failed(const Error& error, const Pending& pending) {
 void Session::show_opened(std::shared_ptr<const OpenVolume> volume, const Pending& pending) {
   const SceneState::Change change = state_.set_volume(std::move(volume), pending.document);
   tell(loading_message(pending.volume, LoadEnd::ready));
-  took_effect({.picture = change.picture, .chosen = false}, pending.stamp);
+  // What came while it was opened is in it, too.
+  took_effect({.picture = change.picture, .chosen = false}, stamp_);
   if (change.picture) tell_scene();  // whether or not anything was chosen
 }
 

@@ -123,4 +123,43 @@ describe('layout and accessibility', { skip }, () => {
       await viewer.close();
     });
   }
+
+  it('every part can be reached with Tab alone, and left again', async () => {
+    const viewer = await Viewer.open(suite.browser, suite.server.url, DESKTOP);
+    await viewer.settled();
+    await viewer.after(() => viewer.page.locator('[data-part=stage]').press('ArrowRight'));
+    await viewer.page.evaluate(() => document.activeElement.blur());
+    const reached = new Set();
+    for (let presses = 0; presses < 40; presses++) {
+      await viewer.page.keyboard.press('Tab');
+      reached.add(await viewer.page.evaluate(focusedName));
+    }
+    for (const name of [
+      'Lens follows the pointer',
+      'Undo',
+      'Copy a link to this view',
+      'Save the picture as PNG',
+      'Help and keys',
+      'Hide the panel',
+      '3-D picture',
+      'Lens',
+      'Styles',
+      'Hold to compare',
+      'Flagship',
+      'Toon',
+      'Technique studies',
+    ])
+      assert.ok(
+        [...reached].some((text) => text.startsWith(name)),
+        `${name} is not among ${[...reached].join(', ')}`,
+      );
+    await viewer.close();
+  });
 });
+
+/** Runs in the page: what has the focus, through the shadow roots. */
+function focusedName() {
+  let focused = document.activeElement;
+  while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
+  return (focused?.getAttribute('aria-label') ?? focused?.textContent ?? '').trim();
+}

@@ -101,7 +101,16 @@ export class Hints extends SessionElement {
           min-height: 44px;
         }
         .turn {
-          bottom: 96px;
+          bottom: 90px;
+        }
+      }
+      /* Above the notices, which are broken into lines there. */
+      @media (max-width: 720px) {
+        button {
+          bottom: 88px;
+        }
+        .turn {
+          bottom: 142px;
         }
       }
     `,

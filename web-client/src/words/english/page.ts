@@ -97,7 +97,7 @@ export const page = {
     turn: 'Drag to turn, wheel to zoom',
     turn_by_touch: 'One finger turns, two zoom',
     lens: 'Drag the lens to look inside',
-    style: 'Styles, volumes and more in the panel',
+    style: 'Styles and volumes in the panel',
     got_it: 'Got it',
   },
 };

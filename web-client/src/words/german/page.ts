@@ -97,7 +97,7 @@ export const page: Words['page'] = {
     turn: 'Ziehen dreht, das Rad zoomt',
     turn_by_touch: 'Ein Finger dreht, zwei zoomen',
     lens: 'Die Linse ziehen, um hineinzusehen',
-    style: 'Stile, Volumen und mehr in der Leiste',
+    style: 'Stile und Volumen in der Leiste',
     got_it: 'Verstanden',
   },
 };
