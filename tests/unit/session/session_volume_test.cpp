@@ -118,6 +118,16 @@ TEST_F(SessionVolumeTest, ChangesThatComeBeforeTheFirstVolumeAreKept) {
   EXPECT_EQ(shown.lens.radius_mm, 33.0);
 }
 
+TEST_F(SessionVolumeTest, TheFirstPictureNamesTheNewestInputThatCameWhileItWasOpened) {
+  viewport(640, 480);
+  scene({{"volume", "ball"}});
+  const std::uint32_t newest = scene({{"lens", {{"radius_mm", 33.0}}}});
+  library.finish();
+  strand->run();
+  rendered();
+  EXPECT_EQ(client.frames.back().header.input, newest);
+}
+
 TEST_F(SessionVolumeTest, AnotherVolumeKeepsTheStyleAndChoosesPlacesAnew) {
   show_ball();
   scene({{"background", {{"colour", {1, 0, 0}}}},
