@@ -49,12 +49,13 @@ describe('a lost connection', { skip }, () => {
     await viewer.app('[data-connection=waiting]').waitFor();
     await mouse.move(x, y + 200, { steps: 4 });
     await suite.server.startAgain();
+    const said = viewer.page.locator('[data-part=toast]', { hasText: 'Connected again' }).waitFor();
     const connected = viewer.app('[data-connection=connected]').waitFor();
     await mouse.move(x + eighth / 2, y + 200, { steps: 40 });
     await connected;
     await mouse.move(x + eighth, y + 200, { steps: 10 });
     await mouse.up();
-    await viewer.page.locator('[data-part=toast]', { hasText: 'Connected again' }).waitFor();
+    await said;
     await viewer.settled();
     assert.equal(await viewer.edgeLetters(), 'S A I P');
     assert.equal(await viewer.page.getByRole('alert').count(), 0);
