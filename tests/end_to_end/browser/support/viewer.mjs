@@ -47,7 +47,8 @@ export class Viewer {
 
   /** Where a connection was lost on purpose, of which the browser itself complains. */
   async closeAfterLoss() {
-    this.complaints = this.complaints.filter((text) => !text.includes('WebSocket connection'));
+    const due_to_it = /WebSocket connection|ERR_CONNECTION_REFUSED/;
+    this.complaints = this.complaints.filter((text) => !due_to_it.test(text));
     await this.close();
   }
 
