@@ -6,6 +6,7 @@ import { createInterface } from 'node:readline';
 import { fileURLToPath } from 'node:url';
 
 const repository = fileURLToPath(new URL('../../../../', import.meta.url));
+const alikeStills = fileURLToPath(new URL('stills.toml', import.meta.url));
 const binary = process.env.CUTAWAY_BINARY;
 
 export const isStandIn = !binary;
@@ -30,9 +31,9 @@ export class Server {
    * Port 0 picks a free one. `data` are folders with volumes, `config` is a file; the stand-in takes
    * neither.
    */
-  static async start({ port = 0, data = [], config } = {}) {
+  static async start({ port = 0, data = [], config = alikeStills } = {}) {
     const folders = data.flatMap((folder) => ['--data', folder]);
-    const server = new Server([...folders, ...(config ? ['--config', config] : [])]);
+    const server = new Server([...folders, '--config', config]);
     await server.#start(port);
     return server;
   }
