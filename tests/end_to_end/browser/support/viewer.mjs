@@ -6,7 +6,7 @@ import { join } from 'node:path';
 const LIMIT_MS = 60_000;
 const OVERLAYS =
   'cutaway-lens-overlay, cutaway-orientation-marks, cutaway-orientation-cube, cutaway-picture-notices, ' +
-  'cutaway-hints';
+  'cutaway-hints, cutaway-toast-stack';
 const screenshotFolder = process.env.CUTAWAY_SCREENSHOTS;
 
 export class Viewer {
