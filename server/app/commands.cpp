@@ -8,11 +8,11 @@
 #include "app/render_command.h"
 #include "app/serve_options.h"
 #include "app/terminal_progress.h"
+#include "render/render_settings.h"
 
 #ifdef CUTAWAY_IMPORT
 #include "import/import_worker.h"
 #include "import/isolated_reader.h"
-#include "render/render_settings.h"
 #endif
 
 namespace cutaway {

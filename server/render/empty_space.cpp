@@ -46,35 +46,14 @@ void upload_faces(const std::vector<BlockCorner>& corners, EmptySpaceMaps& maps)
   glEnableVertexArrayAttrib(array, 0);
 }
 
-void find_box(const MinMaxGrid& grid, glm::ivec3 size_voxels,
-              const std::vector<std::uint8_t>& context, const std::vector<std::uint8_t>& focus,
-              EmptySpaceMaps& maps) {
-  glm::ivec3 first = grid.size_bricks;
-  glm::ivec3 last(-1);
-  std::size_t at = 0;
-  glm::ivec3 brick;
-  for (brick.z = 0; brick.z < grid.size_bricks.z; ++brick.z) {
-    for (brick.y = 0; brick.y < grid.size_bricks.y; ++brick.y) {
-      for (brick.x = 0; brick.x < grid.size_bricks.x; ++brick.x, ++at) {
-        if (context[at] != 0 && focus[at] != 0) continue;
-        first = glm::min(first, brick);
-        last = glm::max(last, brick);
-      }
-    }
-  }
-  const bool is_empty = last.x < first.x;
-  maps.first_voxel = is_empty ? glm::ivec3(0) : first * grid.brick_size;
-  maps.last_voxel =
-      is_empty ? size_voxels - 1 : glm::min((last + 1) * grid.brick_size, size_voxels - 1);
-}
-
 EmptySpaceMaps make_maps(const MinMaxGrid& grid, glm::ivec3 size_voxels, const ValueBand& context,
                          const ValueBand& focus) {
   const auto of_context = chebyshev_distance_map(grid, context);
   const auto of_focus = chebyshev_distance_map(grid, focus);
   EmptySpaceMaps maps{.context = context, .focus = focus};
   maps.distances = distance_texture(grid.size_bricks, of_context, of_focus);
-  find_box(grid, size_voxels, of_context, of_focus, maps);
+  maps.occupied = box_of_bricks(
+      grid, size_voxels, [&](std::size_t at) { return of_context[at] == 0 || of_focus[at] == 0; });
   const BlockGrid blocks = filled_blocks(grid.size_bricks, of_context, of_focus);
   maps.block_cells = blocks.block_bricks * grid.brick_size;
   upload_faces(block_faces(blocks), maps);

@@ -21,9 +21,7 @@ struct EmptySpaceMaps {
   gl::BufferHandle corners;
   int corner_count = 0;
   int block_cells = 0;  ///< edge of a block, in cells of the volume
-  /// Box of voxels that all bricks which hold something lie in; the volume's where none does.
-  glm::ivec3 first_voxel{0};
-  glm::ivec3 last_voxel{0};
+  VoxelBox occupied;    ///< by all bricks that hold something; the volume where none does
 };
 
 /// Maps are computed at their first use (milliseconds: they go over bricks, not voxels) and kept

@@ -54,8 +54,8 @@ class GpuVolume {
   /// The part of the volume that holds something of these bands, to a brick; all of it where none
   /// does.
   VolumeGeometry occupied_part(const ValueBand& context, const ValueBand& focus) {
-    const EmptySpaceMaps& maps = empty_space(context, focus);
-    return part_of(volume().geometry, maps.first_voxel, maps.last_voxel);
+    const VoxelBox& box = empty_space(context, focus).occupied;
+    return part_of(volume().geometry, box.first, box.last);
   }
   /// Uniforms of shaders/empty_space.glsl; the distances go to `unit`.
   void set_empty_space(const gl::Program& program, int unit, const EmptySpaceMaps& maps) const;

@@ -1,41 +1,31 @@
-#include <algorithm>
-
 #include "volume/min_max_grid.h"
 
 namespace cutaway {
 
-namespace {
-
-/// Bricks, both ends included; empty where first > last.
-struct BrickBox {
-  glm::ivec3 first;
-  glm::ivec3 last;
-};
-
-BrickBox bricks_reaching(const MinMaxGrid& grid, double value) {
-  BrickBox box{grid.size_bricks, glm::ivec3(-1)};
+VoxelBox box_of_bricks(const MinMaxGrid& grid, glm::ivec3 size_voxels,
+                       const std::function<bool(std::size_t)>& is_wanted) {
+  glm::ivec3 first = grid.size_bricks;
+  glm::ivec3 last(-1);
   std::size_t at = 0;
-  for (int k = 0; k < grid.size_bricks.z; ++k) {
-    for (int j = 0; j < grid.size_bricks.y; ++j) {
-      for (int i = 0; i < grid.size_bricks.x; ++i, ++at) {
-        if (grid.maximum[at] < value) continue;
-        box.first = glm::min(box.first, glm::ivec3(i, j, k));
-        box.last = glm::max(box.last, glm::ivec3(i, j, k));
+  glm::ivec3 brick;
+  for (brick.z = 0; brick.z < grid.size_bricks.z; ++brick.z) {
+    for (brick.y = 0; brick.y < grid.size_bricks.y; ++brick.y) {
+      for (brick.x = 0; brick.x < grid.size_bricks.x; ++brick.x, ++at) {
+        if (!is_wanted(at)) continue;
+        first = glm::min(first, brick);
+        last = glm::max(last, brick);
       }
     }
   }
-  return box;
+  if (last.x < first.x) return {glm::ivec3(0), size_voxels - 1};
+  return {first * grid.brick_size, glm::min((last + 1) * grid.brick_size, size_voxels - 1)};
 }
-
-}  // namespace
 
 BoundingBox bounds_reaching_mm(const MinMaxGrid& grid, const VolumeGeometry& geometry,
                                double value) {
-  const BrickBox box = bricks_reaching(grid, value);
-  if (box.first.x > box.last.x) return bounds_patient_mm(geometry);
-  const glm::ivec3 first = box.first * grid.brick_size;
-  const glm::ivec3 last = glm::min((box.last + 1) * grid.brick_size, geometry.size_voxels - 1);
-  return bounds_patient_mm(part_of(geometry, first, last));
+  const VoxelBox box = box_of_bricks(grid, geometry.size_voxels,
+                                     [&](std::size_t at) { return grid.maximum[at] >= value; });
+  return bounds_patient_mm(part_of(geometry, box.first, box.last));
 }
 
 }  // namespace cutaway

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,17 @@ struct MinMaxGrid {
 
 MinMaxGrid build_min_max_grid(const Volume& volume, int brick_size, const ProgressSink& progress,
                               const std::stop_token& stop);
+
+/// Voxels, both ends included.
+struct VoxelBox {
+  glm::ivec3 first{0};
+  glm::ivec3 last{0};
+};
+
+/// The box that all bricks of which `is_wanted` holds (by their place in the grid's arrays) lie in;
+/// of the whole volume where it holds of none.
+VoxelBox box_of_bricks(const MinMaxGrid& grid, glm::ivec3 size_voxels,
+                       const std::function<bool(std::size_t)>& is_wanted);
 
 /// Axis-aligned patient-space bounds of the bricks that reach a value; of the whole grid where none
 /// does.

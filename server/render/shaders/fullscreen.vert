@@ -1,6 +1,4 @@
 #version 450 core
-// One triangle over the whole viewport, behind everything that a depth test can find.
-void main() {
-  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
-  gl_Position = vec4(corner, 1.0, 1.0);
-}
+#include "viewport_triangle.glsl"
+
+void main() { gl_Position = behind_everything(viewport_corner()); }

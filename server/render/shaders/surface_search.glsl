@@ -1,8 +1,8 @@
 // Finding where a ray first meets a branch's band.
 //
 // A software rasteriser runs both sides of every branch, for eight rays at a time, and leaves a loop once all eight are
-// through: so one loop, with one sample of the volume in it, goes through all parts of the ray, and what a ray that meets
-// nothing does not need stands in loops too.
+// through: so one loop, with a few samples of the volume in it, goes through all parts of the ray, and what a ray that
+// meets nothing does not need stands in loops too.
 
 uniform sampler2D entry_texture;  // mm along the ray before which there is nothing of either branch
 

@@ -8,6 +8,7 @@ import { sameLook } from '../state/look.ts';
 import { cameraOf } from '../state/scene_parts.ts';
 import { pixelSizeMm, projectPx } from '../view/camera.ts';
 import { pictureToElement } from '../view/picture_fit.ts';
+import { overlay_styles } from '../styles/overlay.ts';
 import { shared } from '../styles/shared.ts';
 import { words } from '../words/words.ts';
 import { SessionElement } from './session_element.ts';
@@ -39,12 +40,10 @@ export class Hints extends SessionElement {
 
   static override styles = [
     shared,
+    overlay_styles,
     css`
       :host {
-        position: absolute;
-        inset: 0;
         overflow: hidden;
-        pointer-events: none;
       }
       section {
         position: absolute;

@@ -10,6 +10,7 @@ import { pixelSizeMm, projectPx, type Camera, type Point, type Viewport } from '
 import { pictureToElement } from '../view/picture_fit.ts';
 import { sphereOutlinePx } from '../view/sphere_outline.ts';
 import type { Vector3 } from '../view/vector.ts';
+import { overlay_styles } from '../styles/overlay.ts';
 import { shared } from '../styles/shared.ts';
 import { SessionElement } from './session_element.ts';
 import { words } from '../words/words.ts';
@@ -41,19 +42,8 @@ export class LensOverlay extends SessionElement {
 
   static override styles = [
     shared,
+    overlay_styles,
     css`
-      :host {
-        position: absolute;
-        inset: 0;
-        pointer-events: none;
-      }
-      svg {
-        position: absolute;
-        inset: 0;
-        width: 100%;
-        height: 100%;
-        overflow: hidden;
-      }
       polygon {
         fill: none;
         stroke: #fff;

@@ -13,6 +13,7 @@ import type { Point } from '../view/camera.ts';
 import { drawMeasurement, type MeasurementDrawing } from '../view/measurement_drawing.ts';
 import { pictureToElement } from '../view/picture_fit.ts';
 import type { ViewProjection } from '../view/view_projection.ts';
+import { overlay_styles } from '../styles/overlay.ts';
 import { shared } from '../styles/shared.ts';
 import { words } from '../words/words.ts';
 import { measure_overlay_styles } from './measure_overlay_styles.ts';
@@ -43,7 +44,7 @@ export class MeasureOverlay extends SessionElement {
     'measure',
   ] as const;
 
-  static override styles = [shared, measure_overlay_styles];
+  static override styles = [shared, overlay_styles, measure_overlay_styles];
 
   override render() {
     const view = shownProjection(this.state);

@@ -5,16 +5,6 @@ import { css } from 'lit';
 export const measure_overlay_styles = css`
   :host {
     --mark: #7df0c8;
-    position: absolute;
-    inset: 0;
-    overflow: hidden;
-    pointer-events: none;
-  }
-  svg {
-    position: absolute;
-    inset: 0;
-    width: 100%;
-    height: 100%;
     overflow: hidden;
   }
   polyline,

@@ -2,6 +2,7 @@
 // the page works as it does on a first visit.
 import type { ViewerSession } from '../session/viewer_session.ts';
 import { words } from '../words/words.ts';
+import { storedText, storeText, type OpenStorage } from './browser_storage.ts';
 import {
   preferencesFrom,
   preferencesText,
@@ -12,28 +13,16 @@ import {
 
 const KEY = 'cutaway.preferences';
 
-/** Gives the storage, or throws where the browser refuses it. */
-type OpenStorage = () => Pick<Storage, 'getItem' | 'setItem'>;
-
 export class PreferenceStore {
   constructor(private readonly open: OpenStorage) {}
 
   read(defaults: Preferences): ReadPreferences {
-    try {
-      return preferencesFrom(this.open().getItem(KEY), defaults);
-    } catch {
-      return { preferences: defaults };
-    }
+    return preferencesFrom(storedText(this.open, KEY), defaults);
   }
 
   /** Whether they are kept. */
   write(preferences: Preferences): boolean {
-    try {
-      this.open().setItem(KEY, preferencesText(preferences));
-      return true;
-    } catch {
-      return false;
-    }
+    return storeText(this.open, KEY, preferencesText(preferences));
   }
 }
 

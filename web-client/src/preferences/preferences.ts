@@ -1,6 +1,7 @@
 // What the page remembers of a user, and its form in the browser's storage.
 import { isObject } from '../state/merge_patch.ts';
 import { LANGUAGES, type LanguageChoice } from '../words/language.ts';
+import { parsedJson } from './browser_storage.ts';
 
 export const THEMES = ['dark', 'light'] as const;
 
@@ -49,18 +50,10 @@ function oneOf<Choice extends string>(
   return choices.find((choice) => choice === value) ?? otherwise;
 }
 
-function parsed(text: string): unknown {
-  try {
-    return JSON.parse(text);
-  } catch {
-    return undefined;
-  }
-}
-
 /** `text` as stored; a field that says nothing sensible has its default. */
 export function preferencesFrom(text: string | null, defaults: Preferences): ReadPreferences {
   if (text === null) return { preferences: defaults };
-  const stored = parsed(text);
+  const stored = parsedJson(text);
   if (!isObject(stored)) return { preferences: defaults, fault: 'damaged' };
   if (stored['version'] !== VERSION) return { preferences: defaults, fault: 'other_version' };
   const preferences: Preferences = {

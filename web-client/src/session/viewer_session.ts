@@ -18,7 +18,7 @@ import type { FromWorker, LinkState, ShownFrame } from '../stream/worker_message
 import { Commands } from './commands.ts';
 import { FrameRate } from './frame_rate.ts';
 import { Measuring } from './measuring.ts';
-import type { OpenStorage } from './own_style_store.ts';
+import type { OpenStorage } from '../preferences/browser_storage.ts';
 import { OwnStyling } from './own_styling.ts';
 import { Picker } from './picker.ts';
 import { SceneLink } from './scene_link.ts';

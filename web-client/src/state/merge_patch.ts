@@ -53,3 +53,15 @@ export function valueAt(document: Json | undefined, path: readonly string[]): Js
   for (const key of path) place = isObject(place) ? place[key] : undefined;
   return place;
 }
+
+/** Those fields of an object that are wanted; none where it is no object. */
+export function pick(from: Json | undefined, fields: readonly string[]): JsonObject {
+  const object = isObject(from) ? from : {};
+  return Object.fromEntries(Object.entries(object).filter(([key]) => fields.includes(key)));
+}
+
+/** All of its fields but those. */
+export function omit(from: Json | undefined, fields: readonly string[]): JsonObject {
+  const object = isObject(from) ? from : {};
+  return Object.fromEntries(Object.entries(object).filter(([key]) => !fields.includes(key)));
+}

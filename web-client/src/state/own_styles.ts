@@ -1,7 +1,7 @@
 // The user's own styles: named looks, as the server's styles are (how things look, never which
 // volume, from where, or where it is cut).
 import type { Scene, Style } from '../protocol/messages.ts';
-import { isObject, type Json, type JsonObject } from './merge_patch.ts';
+import { isObject, pick, type Json, type JsonObject } from './merge_patch.ts';
 
 export interface OwnStyle {
   /** Unique among the user's own. */
@@ -18,11 +18,6 @@ const BRANCH_FIELDS = ['shading', 'filters'];
 const SURFACE_FIELDS = ['opacity'];
 const LENS_FIELDS = ['mode', 'cap', 'strength', 'softness', 'strict'];
 const PARTS_TAKEN_WHOLE = ['light', 'background'];
-
-function pick(from: Json | undefined, fields: readonly string[]): JsonObject {
-  const object = isObject(from) ? from : {};
-  return Object.fromEntries(Object.entries(object).filter(([key]) => fields.includes(key)));
-}
 
 function branchLook(branch: Json | undefined): JsonObject {
   const surface = pick(isObject(branch) ? branch['surface'] : undefined, SURFACE_FIELDS);
