@@ -112,6 +112,9 @@ std::vector<ConfigKey> session_keys() {
            1, kTera, [](Config & c) -> auto& { return c.session.still_rays; })},
       {"session", "still_budget_ms",
        NumberKey{0, 60'000, [](Config& c, double v) { c.session.still_budget = Milliseconds(v); }}},
+      {"session", "still_side_px",
+       integer(
+           1, kLargestSide_px, [](Config & c) -> auto& { return c.session.still_side_px; })},
       {"session", "viewport_side_px",
        integer(
            1, kLargestSide_px, [](Config & c) -> auto& { return c.session.viewport_side_px; })},

@@ -14,6 +14,10 @@ constexpr double kEdge = 1e-6;  // voxels; a point found on the grid's face is i
 
 Json size_json(glm::ivec3 size) { return Json::array({size.x, size.y, size.z}); }
 
+Json axes_json(const glm::dmat3& axes) {
+  return Json::array({vector_json(axes[0]), vector_json(axes[1]), vector_json(axes[2])});
+}
+
 Json histogram_json(const Histogram& histogram) {
   const std::size_t bins = histogram.counts.size();
   const std::size_t sent = std::min(bins, kHistogramBinsSent);
@@ -31,6 +35,8 @@ Json summary_of(const LoadedVolume& loaded, const VolumeFacts& facts) {
           {"units", description.units},
           {"size_voxels", size_json(geometry.size_voxels)},
           {"spacing_mm", vector_json(geometry.spacing_mm)},
+          {"origin_mm", vector_json(geometry.origin_patient_mm)},
+          {"axes", axes_json(geometry.direction_patient)},
           {"bounds_minimum_mm", vector_json(facts.bounds_minimum_mm)},
           {"bounds_maximum_mm", vector_json(facts.bounds_maximum_mm)},
           {"diagonal_mm", facts.diagonal_mm},

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdio>
+#include <numeric>
 #include <utility>
 
 #include "app/frame_service.h"
@@ -44,10 +45,17 @@ class Serving {
   SessionSettings session_settings_;
   std::shared_ptr<const std::string> capabilities_;
   std::atomic<std::uint64_t> next_view_{1};
+  PreviewCache previews_;
   Server server_;
   std::unique_ptr<FrameService> frames_;
   std::unique_ptr<VolumeService> volumes_;
 };
+
+std::array<std::uint64_t, kViews> views_from(std::uint64_t first) {
+  std::array<std::uint64_t, kViews> views{};
+  std::iota(views.begin(), views.end(), first);
+  return views;
+}
 
 std::string capabilities_text(const Config& config, const SessionSettings& session,
                               const RendererDescription& renderer) {
@@ -58,6 +66,7 @@ std::string capabilities_text(const Config& config, const SessionSettings& sessi
        .limits = {.message_bytes = static_cast<std::int64_t>(config.net.message_bytes),
                   .viewport_pixels = session.viewport_pixels,
                   .viewport_side_px = session.viewport_side_px,
+                  .still_side_px = session.still_side_px,
                   .frames_in_flight = session.frames_in_flight},
        .notice = config.notice}));
 }
@@ -120,14 +129,15 @@ Server::Hooks Serving::hooks() {
 }
 
 std::unique_ptr<Session> Serving::make_session(std::shared_ptr<Strand> strand, ClientSink& client) {
-  const std::uint64_t view = next_view_.fetch_add(3);
+  const std::uint64_t view = next_view_.fetch_add(kViews + 2);
   return std::make_unique<Session>(SessionEnds{.strand = std::move(strand),
                                                .frames = *frames_,
                                                .volumes = *volumes_,
                                                .client = client,
-                                               .live_view = view,
-                                               .still_view = view + 1,
-                                               .preview_view = view + 2,
+                                               .live_views = views_from(view),
+                                               .still_view = view + kViews,
+                                               .preview_view = view + kViews + 1,
+                                               .previews = previews_,
                                                .capabilities = capabilities_},
                                    session_settings_);
 }

@@ -1,17 +1,9 @@
 #include "net/out_queue.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace cutaway {
-
-namespace {
-
-void replace(std::optional<OutQueue::Message>& place, std::optional<OutQueue::Message> message) {
-  const std::optional<OutQueue::Message> old = std::exchange(place, std::move(message));
-  if (old && old->done) old->done(false);
-}
-
-}  // namespace
 
 bool OutQueue::put_text(std::string text) { return put({std::move(text), false}); }
 
@@ -30,8 +22,15 @@ bool OutQueue::put(Text text) {
   return true;
 }
 
-void OutQueue::put_frame(std::vector<std::uint8_t> message, Done done) {
-  replace(frame_, Message{std::move(message), std::move(done)});
+void OutQueue::put_frame(int view, std::vector<std::uint8_t> message, Done done) {
+  Message newest{std::move(message), std::move(done)};
+  const auto waiting = std::ranges::find(frames_, view, &Frame::view);
+  if (waiting == frames_.end()) {
+    frames_.push_back({view, std::move(newest)});
+    return;
+  }
+  const Message old = std::exchange(waiting->message, std::move(newest));
+  if (old.done) old.done(false);
 }
 
 void OutQueue::put_still(std::vector<std::uint8_t> message, Done done) {
@@ -45,7 +44,11 @@ std::optional<OutQueue::Message> OutQueue::take() {
     waiting_text_bytes_ -= std::get<std::string>(message.content).size();
     return message;
   }
-  if (frame_) return std::exchange(frame_, std::nullopt);
+  if (!frames_.empty()) {
+    Message frame = std::move(frames_.front().message);
+    frames_.pop_front();
+    return frame;
+  }
   if (stills_.empty()) return std::nullopt;
   Message still = std::move(stills_.front());
   stills_.pop_front();
@@ -55,7 +58,8 @@ std::optional<OutQueue::Message> OutQueue::take() {
 void OutQueue::abandon() {
   texts_.clear();
   waiting_text_bytes_ = 0;
-  replace(frame_, std::nullopt);
+  for (const Frame& frame : std::exchange(frames_, {}))
+    if (frame.message.done) frame.message.done(false);
   for (const Message& still : std::exchange(stills_, {}))
     if (still.done) still.done(false);
 }

@@ -11,8 +11,8 @@
 
 namespace cutaway {
 
-/// Texts in their order, then the one waiting frame, then stills and previews in their order (a
-/// session has at most one of each under way). Not thread-safe.
+/// Texts in their order, then the waiting frames, one of each view, then stills and previews in
+/// their order (a session has at most one of each under way). Not thread-safe.
 class OutQueue {
  public:
   using Done = std::function<void(bool)>;
@@ -28,8 +28,8 @@ class OutQueue {
   [[nodiscard]] bool put_text(std::string text);
   /// The same for a text that makes those of its kind that wait worthless: they are dropped.
   [[nodiscard]] bool put_latest_text(std::string text);
-  /// Replaces a frame that waits; that one's `done` gets false.
-  void put_frame(std::vector<std::uint8_t> message, Done done);
+  /// Replaces the view's frame that waits, in its place; that one's `done` gets false.
+  void put_frame(int view, std::vector<std::uint8_t> message, Done done);
   void put_still(std::vector<std::uint8_t> message, Done done);
 
   std::optional<Message> take();
@@ -41,12 +41,16 @@ class OutQueue {
     std::string text;
     bool is_latest;
   };
+  struct Frame {
+    int view;
+    Message message;
+  };
   bool put(Text text);
 
   std::size_t text_bytes_;
   std::size_t waiting_text_bytes_ = 0;
   std::deque<Text> texts_;
-  std::optional<Message> frame_;
+  std::deque<Frame> frames_;
   std::deque<Message> stills_;
 };
 

@@ -254,9 +254,10 @@ void WebSocket::was_put(bool put) {
   begin_close({websocket::close_code::policy_error, "too many messages wait to be read"});
 }
 
-void WebSocket::send_frame(std::vector<std::uint8_t> message, std::function<void(bool)> done) {
+void WebSocket::send_frame(ViewKind view, std::vector<std::uint8_t> message,
+                           std::function<void(bool)> done) {
   if (closing_ || ended_) return done(false);
-  queue_.put_frame(std::move(message), std::move(done));
+  queue_.put_frame(static_cast<int>(view), std::move(message), std::move(done));
   something_to_write_.cancel();
 }
 

@@ -42,7 +42,8 @@ class WebSocket final : public ClientSink, public std::enable_shared_from_this<W
 
   void send_text(std::string message) override;
   void send_latest_text(std::string message) override;
-  void send_frame(std::vector<std::uint8_t> message, std::function<void(bool)> done) override;
+  void send_frame(ViewKind view, std::vector<std::uint8_t> message,
+                  std::function<void(bool)> done) override;
   void send_still(std::vector<std::uint8_t> message, std::function<void(bool)> done) override;
 
  private:

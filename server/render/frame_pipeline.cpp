@@ -76,6 +76,7 @@ StageCounts ViewState::counts() const {
   StageCounts counts{.entry = entry_.runs(),
                      .ray_cast = ray_cast_.runs(),
                      .composite = composite_.runs(),
+                     .slice = slice_.runs(),
                      .convert = convert_.runs()};
   for (std::size_t i = 0; i < kBranches; ++i) {
     counts.shade[i] = branches_[i].shade.runs();
@@ -92,6 +93,7 @@ FramePipeline::FramePipeline()
       resolve_pass_(shaders_),
       filter_pass_(shaders_),
       composite_pass_(shaders_),
+      slice_pass_(shaders_),
       convert_pass_(shaders_) {}
 
 FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& volume,
@@ -100,8 +102,19 @@ FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& vo
     view = ViewState();
     view.buffers_.emplace(settings.picture_size_px, settings.supersampling);
   }
-  view.buffers_->prepare_sums(farthest_reach_px(scene, settings.resolution_scale));
   FramePlan plan(observer_);
+  const std::uint64_t picture = scene.viewport.kind == ViewKind::volume
+                                    ? picture_of_volume(view, scene, volume, settings, plan)
+                                    : picture_of_slice(view, scene, volume, settings, plan);
+  if (settings.layout != PixelLayout::rgba) convert(view, {picture, settings.layout}, plan);
+  return plan;
+}
+
+std::uint64_t FramePipeline::picture_of_volume(ViewState& view, const Scene& scene,
+                                               GpuVolume& volume, const RenderSettings& settings,
+                                               FramePlan& plan) {
+  view.buffers_->prepare_rays();
+  view.buffers_->prepare_sums(farthest_reach_px(scene, settings.resolution_scale));
   const VolumeGeometry part =
       settings.skip_empty_space
           ? volume.occupied_part(scene.context.surface.band, scene.focus.surface.band)
@@ -120,11 +133,23 @@ FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& vo
   };
   const auto context = branch(kContext, scene.context);
   const auto focus = branch(kFocus, scene.focus);
-  const std::uint64_t picture =
-      composite(draft, {context.version, focus.version, context.texture, focus.texture,
-                        scene.background, magic_lens(scene, rays.rays)});
-  if (settings.layout != PixelLayout::rgba) convert(draft, {picture, settings.layout});
-  return plan;
+  return composite(draft, {context.version, focus.version, context.texture, focus.texture,
+                           scene.background, magic_lens(scene, rays.rays)});
+}
+
+std::uint64_t FramePipeline::picture_of_slice(ViewState& view, const Scene& scene,
+                                              const GpuVolume& volume,
+                                              const RenderSettings& settings, FramePlan& plan) {
+  const SliceKey key = slice_key(scene, volume, settings.supersampling);
+  const ViewBuffers& buffers = *view.buffers_;
+  return view.slice_.schedule(key, plan,
+                              {.name = "slice",
+                               .region = {{0, 0}, buffers.picture_size_px()},
+                               .begin = {},
+                               .draw = [this, key, &volume, &buffers](const gl::PixelRect& strip) {
+                                 slice_pass_.run(key, volume, buffers.picture.framebuffer, strip,
+                                                 triangle_);
+                               }});
 }
 
 std::uint64_t FramePipeline::find_entries(const Draft& draft, const RayCastKey& rays,
@@ -253,17 +278,16 @@ std::uint64_t FramePipeline::composite(const Draft& draft, const CompositeKey& k
 }
 
 // Its planes differ in size, so it is drawn as one; it is the cheapest pass.
-void FramePipeline::convert(const Draft& draft, const ConvertKey& key) {
-  ViewBuffers& buffers = draft.buffers;
+void FramePipeline::convert(ViewState& view, const ConvertKey& key, FramePlan& plan) {
+  ViewBuffers& buffers = *view.buffers_;
   buffers.prepare_planes(key.layout);
-  draft.view.convert_.schedule(
-      key, draft.plan,
-      {.name = "convert",
-       .region = kIndivisible,
-       .begin = {},
-       .draw = [this, layout = key.layout, &buffers](const gl::PixelRect&) {
-         convert_pass_.run(layout, buffers, triangle_);
-       }});
+  view.convert_.schedule(key, plan,
+                         {.name = "convert",
+                          .region = kIndivisible,
+                          .begin = {},
+                          .draw = [this, layout = key.layout, &buffers](const gl::PixelRect&) {
+                            convert_pass_.run(layout, buffers, triangle_);
+                          }});
 }
 
 void FramePipeline::start_readback(const ViewState& view, PixelLayout layout,

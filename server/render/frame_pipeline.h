@@ -18,6 +18,7 @@
 #include "render/render_settings.h"
 #include "render/resolve_pass.h"
 #include "render/shade_pass.h"
+#include "render/slice_pass.h"
 #include "render/stage.h"
 #include "render/view_regions.h"
 
@@ -33,6 +34,7 @@ struct StageCounts {
   std::array<std::uint64_t, kBranches> shade{};
   std::array<std::uint64_t, kBranches> filters{};
   std::uint64_t composite = 0;
+  std::uint64_t slice = 0;  ///< instead of all those before
   std::uint64_t convert = 0;
   bool operator==(const StageCounts&) const = default;
 };
@@ -55,6 +57,7 @@ class ViewState {
   Stage<RayCastKey> ray_cast_;
   std::array<Branch, kBranches> branches_;
   Stage<CompositeKey> composite_;
+  Stage<SliceKey> slice_;
   Stage<ConvertKey> convert_;
 };
 
@@ -110,7 +113,11 @@ class FramePipeline {
   std::vector<Pass> filter_steps(const Draft& draft, BranchIndex index, const FilterKey& key,
                                  const gl::Texture2D& input, const ColourTarget& target);
   std::uint64_t composite(const Draft& draft, const CompositeKey& key);
-  void convert(const Draft& draft, const ConvertKey& key);
+  std::uint64_t picture_of_volume(ViewState& view, const Scene& scene, GpuVolume& volume,
+                                  const RenderSettings& settings, FramePlan& plan);
+  std::uint64_t picture_of_slice(ViewState& view, const Scene& scene, const GpuVolume& volume,
+                                 const RenderSettings& settings, FramePlan& plan);
+  void convert(ViewState& view, const ConvertKey& key, FramePlan& plan);
 
   gl::FullscreenTriangle triangle_;
   gl::ShaderLibrary shaders_;
@@ -120,6 +127,7 @@ class FramePipeline {
   ResolvePass resolve_pass_;
   FilterPass filter_pass_;
   CompositePass composite_pass_;
+  SlicePass slice_pass_;
   ConvertPass convert_pass_;
   PassObserver observer_;
 };

@@ -22,14 +22,19 @@ std::optional<glm::dvec3> first_point(const Volume& volume, const PatientRay& ra
 VolumeFacts facts_of(std::shared_ptr<const LoadedVolume> loaded) {
   const Volume& volume = loaded->volume;
   const BoundingBox& bounds = loaded->material_bounds_mm;
+  const ValueRange window = suggest_window(volume.description, loaded->histogram);
   VolumeFacts facts{.id = volume.description.id,
                     .bounds_minimum_mm = bounds.minimum_mm,
                     .bounds_maximum_mm = bounds.maximum_mm,
                     .diagonal_mm = glm::length(bounds.maximum_mm - bounds.minimum_mm),
+                    .grid_centre_mm = centre_mm(volume.geometry),
+                    .grid_half_axes_mm = half_axes_mm(volume.geometry),
                     .minimum_value = volume.value_range.minimum,
                     .maximum_value = volume.value_range.maximum,
                     .outer_iso_value = loaded->surfaces.outer_iso_value,
-                    .inner_iso_value = loaded->surfaces.inner_iso_value};
+                    .inner_iso_value = loaded->surfaces.inner_iso_value,
+                    .window_centre = 0.5 * (window.minimum + window.maximum),
+                    .window_width = window.maximum - window.minimum};
   facts.first_surface_mm = [held = std::move(loaded)](glm::dvec3 origin_mm, glm::dvec3 direction,
                                                       const ValueBand& band) {
     return first_point(held->volume, {origin_mm, direction}, band);

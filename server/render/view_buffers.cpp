@@ -27,18 +27,22 @@ FilterSums filter_sums(glm::ivec2 picture_size_px, int reach_px) {
 
 ViewBuffers::ViewBuffers(glm::ivec2 picture_size_px, int supersampling)
     : picture_size_px_(picture_size_px), supersampling_(supersampling) {
+  picture = colour_target(GL_RGBA8, picture_size_px);
+}
+
+void ViewBuffers::prepare_rays() {
+  if (entry.name() != 0) return;
   entry = gl::Texture2D(GL_R32F, surface_size_px(), gl::Filtering::nearest);
   entry_depth = gl::Texture2D(GL_DEPTH_COMPONENT32F, surface_size_px(), gl::Filtering::nearest);
   for (BranchBuffers& branch : branches) {
     branch.surface = gl::Texture2D(GL_RGBA32F, surface_size_px(), gl::Filtering::nearest);
-    branch.shaded = gl::Texture2D(GL_RGBA16F, picture_size_px, gl::Filtering::nearest);
-    branch.silhouette = gl::Texture2D(GL_R8, picture_size_px, gl::Filtering::nearest);
+    branch.shaded = gl::Texture2D(GL_RGBA16F, picture_size_px_, gl::Filtering::nearest);
+    branch.silhouette = gl::Texture2D(GL_R8, picture_size_px_, gl::Filtering::nearest);
     branch.shade_target = gl::Framebuffer({&branch.shaded, &branch.silhouette}, picture_depth());
   }
   entry_target = gl::Framebuffer({&entry}, &entry_depth);
   surface_target =
       gl::Framebuffer({&branches[kContext].surface, &branches[kFocus].surface}, &entry_depth);
-  picture = colour_target(GL_RGBA8, picture_size_px);
 }
 
 const gl::Texture2D* ViewBuffers::picture_depth() const {

@@ -65,6 +65,8 @@ class ViewBuffers {
 
   /// Makes sure that each branch has a target for its filter number `index`.
   ColourTarget& filtered(BranchIndex branch, std::size_t index);
+  /// Makes sure that there is what rays need: a slice casts none.
+  void prepare_rays();
   /// Sums that reach that far beyond the picture; 0: nobody needs them.
   void prepare_sums(int reach_px);
   const FilterSums& sums() const { return sums_; }

@@ -21,6 +21,18 @@ glm::dvec2 position_of(const Json& message) {
 
 std::uint32_t request_of(const Json& message) { return message.at("request").get<std::uint32_t>(); }
 
+ViewKind view_of(const Json& message) {
+  return static_cast<ViewKind>(message.at("view").get<int>());
+}
+
+/// Nothing where the message leaves it out.
+std::optional<std::string> text_of(const Json& message, const char* key) {
+  if (!message.contains(key)) return {};
+  return message.at(key).get<std::string>();
+}
+
+Json patch_of(const Json& message) { return message.value("scene", Json::object()); }
+
 int width_of(const Json& message) { return message.at("width_px").get<int>(); }
 int height_of(const Json& message) { return message.at("height_px").get<int>(); }
 
@@ -34,7 +46,7 @@ const std::map<std::string, Reading, std::less<>>& readings() {
        }},
       {"viewport",
        [](const Json& m) -> ClientMessage {
-         return ViewportMessage{stamp_of(m), width_of(m), height_of(m)};
+         return ViewportMessage{view_of(m), stamp_of(m), width_of(m), height_of(m)};
        }},
       {"drag_lens",
        [](const Json& m) -> ClientMessage {
@@ -42,22 +54,23 @@ const std::map<std::string, Reading, std::less<>>& readings() {
        }},
       {"pick",
        [](const Json& m) -> ClientMessage {
-         return PickMessage{request_of(m), position_of(m)};
+         return PickMessage{view_of(m), request_of(m), position_of(m)};
        }},
       {"cancel_load", [](const Json&) -> ClientMessage { return CancelLoadMessage{}; }},
       {"ack",
        [](const Json& m) -> ClientMessage {
-         return AckMessage{m.at("frame").get<std::uint32_t>()};
+         return AckMessage{view_of(m), m.at("frame").get<std::uint32_t>()};
        }},
       {"save_still",
        [](const Json& m) -> ClientMessage {
-         return SaveStillMessage{request_of(m), width_of(m), height_of(m)};
+         return SaveStillMessage{view_of(m), request_of(m), width_of(m), height_of(m), patch_of(m)};
        }},
       {"preview",
        [](const Json& m) -> ClientMessage {
-         return PreviewMessage{request_of(m), m.at("style").get<std::string>(), width_of(m),
-                               height_of(m)};
+         return PreviewMessage{request_of(m), text_of(m, "style"), text_of(m, "volume"),
+                               patch_of(m),   width_of(m),         height_of(m)};
        }},
+      {"close_view", [](const Json& m) -> ClientMessage { return CloseViewMessage{view_of(m)}; }},
   };
   return all;
 }
@@ -67,20 +80,24 @@ Json type_of(const Json& message) {
   return message.is_object() ? message.value("type", Json()) : Json();
 }
 
-bool sizes_a_picture(const Json& message) {
+/// Nothing where the message sizes no picture.
+std::optional<int> largest_side_of(const Json& message, const SideLimits& limits) {
   const Json type = type_of(message);
-  return type == "viewport" || type == "save_still";
+  if (type == "viewport") return limits.viewport_px;
+  if (type == "save_still") return limits.still_px;
+  return {};
 }
 
 /// Before the schema, which knows the largest limit that a server may have, not this one's.
-void check_sides(const Json& message, int largest_px) {
-  if (!sizes_a_picture(message)) return;
-  const std::string range = "1 to " + std::to_string(largest_px) + " px";
+void check_sides(const Json& message, const SideLimits& limits) {
+  const std::optional<int> largest_px = largest_side_of(message, limits);
+  if (!largest_px) return;
+  const std::string range = "1 to " + std::to_string(*largest_px) + " px";
   for (const char* side : {"width_px", "height_px"}) {
     const auto px = message.find(side);
     if (px == message.end()) continue;
     const bool is_integer = px->is_number_integer();
-    if (is_integer && *px >= 1 && *px <= largest_px) continue;
+    if (is_integer && *px >= 1 && *px <= *largest_px) continue;
     throw Error({.code = is_integer ? "out-of-range" : "wrong-type",
                  .message = "the picture cannot have this size",
                  .field = pointer_to("", side),
@@ -126,9 +143,9 @@ std::optional<std::uint32_t> counter(const Json& message, const char* key) {
 
 }  // namespace
 
-ClientMessage parse_client_message(std::string_view text, int largest_side_px) {
+ClientMessage parse_client_message(std::string_view text, const SideLimits& limits) {
   const Json message = parse_message(text);
-  check_sides(message, largest_side_px);
+  check_sides(message, limits);
   validate(message, "client-message");
   const auto& type = message.at("type").get_ref<const std::string&>();
   return readings().at(type)(with_defaults(message, "client-message"));

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "scene/json.h"
+#include "scene/scene.h"
 
 namespace cutaway {
 
@@ -25,7 +26,12 @@ struct SceneMessage {
   bool replace = false;
 };
 
+/// Of one session: the volume in 3-D and three slices. A view's number in messages and frames is
+/// its ViewKind's.
+inline constexpr int kViews = 4;
+
 struct ViewportMessage {
+  ViewKind view = ViewKind::volume;
   InputStamp stamp;
   int width_px = 0;
   int height_px = 0;
@@ -37,6 +43,7 @@ struct DragLensMessage {
 };
 
 struct PickMessage {
+  ViewKind view = ViewKind::volume;
   std::uint32_t request = 0;
   glm::dvec2 position_px{0.0};
 };
@@ -44,32 +51,47 @@ struct PickMessage {
 struct CancelLoadMessage {};
 
 struct AckMessage {
+  ViewKind view = ViewKind::volume;
   std::uint32_t frame = 0;
 };
 
 struct SaveStillMessage {
+  ViewKind view = ViewKind::volume;
   std::uint32_t request = 0;
   int width_px = 0;
   int height_px = 0;
+  Json scene = Json::object();  ///< a merge patch for this picture alone
 };
 
 struct PreviewMessage {
   std::uint32_t request = 0;
-  std::string style;
+  std::optional<std::string> style;   ///< else the session's own
+  std::optional<std::string> volume;  ///< else the session's scene
+  Json scene = Json::object();        ///< a merge patch for this picture alone
   int width_px = 0;
   int height_px = 0;
 };
 
-using ClientMessage = std::variant<SceneMessage, ViewportMessage, DragLensMessage, PickMessage,
-                                   CancelLoadMessage, AckMessage, SaveStillMessage, PreviewMessage>;
+struct CloseViewMessage {
+  ViewKind view = ViewKind::axial;
+};
+
+using ClientMessage =
+    std::variant<SceneMessage, ViewportMessage, DragLensMessage, PickMessage, CancelLoadMessage,
+                 AckMessage, SaveStillMessage, PreviewMessage, CloseViewMessage>;
 
 /// The largest side (px) that the schema allows; a server may be set to take less.
 inline constexpr int kLargestSide_px = 8192;
 
+struct SideLimits {
+  int viewport_px = kLargestSide_px;
+  int still_px = kLargestSide_px;
+};
+
 /// Throws Error: malformed-json, not-finite, unknown-message, unknown-field, missing-field,
-/// wrong-type, out-of-range. A side of a viewport or a saved still over `largest_side_px` is
+/// wrong-type, out-of-range. A side of a viewport or a saved still over `limits` is
 /// refused with that limit, not with the schema's.
-ClientMessage parse_client_message(std::string_view text, int largest_side_px = kLargestSide_px);
+ClientMessage parse_client_message(std::string_view text, const SideLimits& limits = {});
 
 /// The error for a binary message from a client.
 Error binary_message_error();

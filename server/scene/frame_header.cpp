@@ -13,7 +13,6 @@ constexpr std::uint32_t kMagic = 0x46575443;  // "CTWF"
 constexpr std::uint8_t kVersion = 1;
 constexpr std::uint8_t kStillQuality = 1U << 0U;
 constexpr std::uint8_t kLossless = 1U << 1U;
-constexpr std::uint16_t kOnlyView = 0;
 constexpr std::size_t kHeaderLengthOffset = 8;
 
 /// Little-endian on any machine.
@@ -59,6 +58,8 @@ class Reader {
 
 FrameHeader read_fields(Reader& reader, std::uint8_t type, std::uint8_t flags) {
   FrameHeader header;
+  reader.take<std::uint16_t>();  // the header's length
+  header.view = reader.take<std::uint16_t>();
   header.type = static_cast<PictureType>(type);
   header.still_quality = (flags & kStillQuality) != 0;
   header.lossless = (flags & kLossless) != 0;
@@ -84,7 +85,7 @@ std::array<std::uint8_t, kFrameHeaderBytes> encode_frame_header(const FrameHeade
                                                (header.lossless ? kLossless : 0U));
   Writer writer(bytes);
   writer.put(kMagic).put(kVersion).put(static_cast<std::uint8_t>(header.type)).put(flags);
-  writer.put(std::uint8_t{0}).put(static_cast<std::uint16_t>(kFrameHeaderBytes)).put(kOnlyView);
+  writer.put(std::uint8_t{0}).put(static_cast<std::uint16_t>(kFrameHeaderBytes)).put(header.view);
   writer.put(header.frame).put(header.revision).put(header.input);
   writer.put(std::bit_cast<std::uint64_t>(header.clock_ms));
   writer.put(header.render_us).put(header.encode_us);
@@ -106,7 +107,6 @@ DecodedFrame decode_frame(std::span<const std::uint8_t> message) {
   const auto flags = reader.take<std::uint8_t>();
   reader.take<std::uint8_t>();
   const std::size_t length = Reader(message.subspan(kHeaderLengthOffset)).take<std::uint16_t>();
-  reader.take<std::uint32_t>();
   if (type < 1 || type > 3) refuse("unknown picture type", "1, 2 or 3", std::to_string(type));
   if (length < kFrameHeaderBytes || length > message.size())
     refuse("wrong header length", "56 to the message's length", std::to_string(length));

@@ -14,6 +14,7 @@ struct FrameHeader {
   PictureType type = PictureType::live_frame;
   bool still_quality = false;
   bool lossless = false;
+  std::uint16_t view = 0;
   std::uint32_t frame = 0;  ///< for a saved still or a preview the request
   std::uint32_t revision = 0;
   std::uint32_t input = 0;

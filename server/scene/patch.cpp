@@ -61,10 +61,22 @@ Json patch_scene_document(const Json& base, const Json& patch) {
 }
 
 Json without_volume_choices(Json document) {
-  constexpr std::array kChoices = {
-      "/volume",          "/camera/eye_mm",         "/camera/target_mm",
-      "/camera/up",       "/camera/view_height_mm", "/focus/surface",
-      "/context/surface", "/lens/centre_mm",        "/lens/radius_mm"};
+  constexpr std::array kChoices = {"/volume",
+                                   "/camera/eye_mm",
+                                   "/camera/target_mm",
+                                   "/camera/up",
+                                   "/camera/view_height_mm",
+                                   "/focus/surface",
+                                   "/context/surface",
+                                   "/lens/centre_mm",
+                                   "/lens/radius_mm",
+                                   "/slices/crosshair_mm",
+                                   "/slices/superior",
+                                   "/slices/anterior",
+                                   "/slices/window",
+                                   "/slices/axial",
+                                   "/slices/coronal",
+                                   "/slices/sagittal"};
   for (const char* field : kChoices) {
     const Json::json_pointer pointer(field);
     if (!document.contains(pointer)) continue;

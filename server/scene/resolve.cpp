@@ -5,6 +5,8 @@
 #include "core/error.h"
 #include "scene/json_text.h"
 #include "scene/module_aliases.h"
+#include "scene/refuse_scene.h"
+#include "scene/resolve_slices.h"
 #include "scene/scene_json.h"
 #include "scene/schema.h"
 #include "scene/volume_choices.h"
@@ -16,27 +18,18 @@ namespace {
 constexpr double kSmallestLength = 1e-9;
 constexpr double kSmallestDistance_mm = 1e-6;
 
-[[noreturn]] void refuse(const char* field, const char* message, const char* expected,
-                         const Json& received) {
-  throw Error({.code = "invalid-scene",
-               .message = message,
-               .field = field,
-               .expected = expected,
-               .received = json_text(received)});
-}
-
 void check_camera(const Camera& camera) {
   const glm::dvec3 view = camera.target_mm - camera.eye_mm;
   if (glm::length(view) < kSmallestDistance_mm)
-    refuse("/camera/eye_mm", "the eye is at the target", "two points that differ",
-           vector_json(camera.eye_mm));
+    refuse_scene("/camera/eye_mm", "the eye is at the target", "two points that differ",
+                 vector_json(camera.eye_mm));
   if (glm::length(camera.up) < kSmallestLength)
-    refuse("/camera/up", "up has no length", "a direction", vector_json(camera.up));
+    refuse_scene("/camera/up", "up has no length", "a direction", vector_json(camera.up));
   constexpr double kNearlyParallel = 1e-6;
   const glm::dvec3 across = glm::cross(glm::normalize(view), glm::normalize(camera.up));
   if (glm::length(across) < kNearlyParallel)
-    refuse("/camera/up", "up runs along the view", "a direction across the view",
-           vector_json(camera.up));
+    refuse_scene("/camera/up", "up runs along the view", "a direction across the view",
+                 vector_json(camera.up));
 }
 
 template <typename Choose>
@@ -75,17 +68,17 @@ Surface resolve_surface(const Json& document, double chosen_iso_value, const std
   if (!document.contains("upper_value")) return surface;
   surface.band.upper = document.at("upper_value").get<double>();
   if (surface.band.upper > surface.band.lower) return surface;
-  refuse(("/" + branch + "/surface/upper_value").c_str(), "the band is empty",
-         ("a value above iso_value, which is " + json_text(surface.band.lower)).c_str(),
-         document.at("upper_value"));
+  refuse_scene(("/" + branch + "/surface/upper_value").c_str(), "the band is empty",
+               ("a value above iso_value, which is " + json_text(surface.band.lower)).c_str(),
+               document.at("upper_value"));
 }
 
 void refuse_repeated_filters(const std::vector<Module>& filters, const std::string& branch) {
   for (std::size_t i = 0; i < filters.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (filters[i].name != filters[k].name) continue;
-      refuse(("/" + branch + "/filters/" + std::to_string(i)).c_str(), "the filter is there twice",
-             "each filter once", filters[i].name);
+      refuse_scene(("/" + branch + "/filters/" + std::to_string(i)).c_str(),
+                   "the filter is there twice", "each filter once", filters[i].name);
     }
   }
 }
@@ -123,8 +116,8 @@ Lens resolve_lens(const Json& document, const VolumeFacts& volume, const Scene& 
 Light resolve_light(const Json& document) {
   const Light light{document.at("frame").get<LightFrame>(), vector_from(document.at("direction"))};
   if (glm::length(light.direction) < kSmallestLength)
-    refuse("/light/direction", "the light has no direction", "a direction",
-           vector_json(light.direction));
+    refuse_scene("/light/direction", "the light has no direction", "a direction",
+                 vector_json(light.direction));
   return light;
 }
 
@@ -148,6 +141,7 @@ Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport vi
   scene.focus = resolve_branch(complete.at("focus"), volume.inner_iso_value, "focus");
   scene.context = resolve_branch(complete.at("context"), volume.outer_iso_value, "context");
   scene.light = resolve_light(complete.at("light"));
+  scene.slices = resolve_slices(complete.at("slices"), volume);
   scene.background.colour = vector_from(complete.at("background").at("colour"));
   scene.lens = resolve_lens(complete.at("lens"), volume, scene, lenses);  // last: it may look long
   return scene;
@@ -156,7 +150,8 @@ Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport vi
 Viewport document_viewport(const Json& document) {
   validate_scene_document(document);
   const Json viewport = with_defaults(document, "scene").at("viewport");
-  return {viewport.at("width_px").get<int>(), viewport.at("height_px").get<int>()};
+  return {viewport.at("width_px").get<int>(), viewport.at("height_px").get<int>(),
+          viewport.at("kind").get<ViewKind>()};
 }
 
 }  // namespace cutaway

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,12 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+enum class ViewKind { volume, axial, coronal, sagittal };
+
 struct Viewport {
   int width_px = 0;
   int height_px = 0;
+  ViewKind kind = ViewKind::volume;
   bool operator==(const Viewport&) const = default;
 };
 
@@ -83,6 +87,35 @@ struct Background {
   bool operator==(const Background&) const = default;
 };
 
+enum class SliceConvention { radiological, neurological };
+
+/// Which physical values are drawn from black to white.
+struct Window {
+  double centre = 0.0;
+  double width = 1.0;
+  bool operator==(const Window&) const = default;
+};
+
+/// Which part of its plane a slice's viewport shows.
+struct SliceView {
+  glm::dvec3 centre_mm{0.0};
+  std::optional<double> view_height_mm;  ///< else what shows the whole volume
+  bool operator==(const SliceView&) const = default;
+};
+
+/// Three planes through one point, square to each other; patient space, mm.
+struct Slices {
+  glm::dvec3 crosshair_mm{0.0};
+  glm::dvec3 superior{0.0, 0.0, 1.0};   ///< unit; normal of the axial plane
+  glm::dvec3 anterior{0.0, -1.0, 0.0};  ///< unit, square to superior; normal of the coronal plane
+  SliceConvention convention = SliceConvention::radiological;
+  Window window;
+  SliceView axial;
+  SliceView coronal;
+  SliceView sagittal;
+  bool operator==(const Slices&) const = default;
+};
+
 /// Immutable once made; shared between threads as shared_ptr<const Scene>.
 struct Scene {
   std::string volume;
@@ -93,6 +126,7 @@ struct Scene {
   Lens lens;
   Light light;
   Background background;
+  Slices slices;
   bool operator==(const Scene&) const = default;
 };
 

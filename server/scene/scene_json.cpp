@@ -44,6 +44,23 @@ Json json_from(const Light& light) {
   return {{"frame", light.frame}, {"direction", vector_json(light.direction)}};
 }
 
+Json json_from(const SliceView& view) {
+  Json object{{"centre_mm", vector_json(view.centre_mm)}};
+  if (view.view_height_mm) object["view_height_mm"] = *view.view_height_mm;
+  return object;
+}
+
+Json json_from(const Slices& slices) {
+  return {{"crosshair_mm", vector_json(slices.crosshair_mm)},
+          {"superior", vector_json(slices.superior)},
+          {"anterior", vector_json(slices.anterior)},
+          {"convention", slices.convention},
+          {"window", {{"centre", slices.window.centre}, {"width", slices.window.width}}},
+          {"axial", json_from(slices.axial)},
+          {"coronal", json_from(slices.coronal)},
+          {"sagittal", json_from(slices.sagittal)}};
+}
+
 }  // namespace
 
 Module module_from(const Json& object) {
@@ -66,7 +83,8 @@ Json scene_document(const Scene& scene) {
           {"context", json_from(scene.context)},
           {"lens", json_from(scene.lens)},
           {"light", json_from(scene.light)},
-          {"background", {{"colour", vector_json(scene.background.colour)}}}};
+          {"background", {{"colour", vector_json(scene.background.colour)}}},
+          {"slices", json_from(scene.slices)}};
 }
 
 }  // namespace cutaway

@@ -15,6 +15,12 @@ NLOHMANN_JSON_SERIALIZE_ENUM(LensCap, {{LensCap::flat, "flat"},
                                        {LensCap::open, "open"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(LightFrame,
                              {{LightFrame::camera, "camera"}, {LightFrame::patient, "patient"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(ViewKind, {{ViewKind::volume, "3d"},
+                                        {ViewKind::axial, "axial"},
+                                        {ViewKind::coronal, "coronal"},
+                                        {ViewKind::sagittal, "sagittal"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(SliceConvention, {{SliceConvention::radiological, "radiological"},
+                                               {SliceConvention::neurological, "neurological"}})
 
 inline glm::dvec3 vector_from(const Json& array) {
   return {array.at(0).get<double>(), array.at(1).get<double>(), array.at(2).get<double>()};

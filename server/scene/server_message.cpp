@@ -22,6 +22,7 @@ namespace {
 Json json_from(const WireLimits& limits) {
   return {{"message_bytes", limits.message_bytes},
           {"viewport_side_px", limits.viewport_side_px},
+          {"still_side_px", limits.still_side_px},
           {"viewport_pixels", limits.viewport_pixels},
           {"frames_in_flight", limits.frames_in_flight}};
 }
@@ -76,7 +77,7 @@ Json picked_message(std::uint32_t request, const std::optional<PickedPoint>& poi
   message["position_mm"] = vector_json(point->position_mm);
   message["value"] = point->value;
   message["units"] = point->units;
-  message["branch"] = point->branch;
+  if (point->branch) message["branch"] = *point->branch;
   return message;
 }
 

@@ -20,6 +20,7 @@ struct WireLimits {
   std::int64_t message_bytes = 65536;
   std::int64_t viewport_pixels = 16777216;
   int viewport_side_px = 8192;
+  int still_side_px = 8192;
   int frames_in_flight = 2;
 };
 
@@ -53,7 +54,7 @@ struct PickedPoint {
   glm::dvec3 position_mm{0.0};
   double value = 0.0;
   std::string units;
-  PickedBranch branch = PickedBranch::focus;
+  std::optional<PickedBranch> branch;  ///< none on a slice
 };
 Json picked_message(std::uint32_t request, const std::optional<PickedPoint>& point);
 

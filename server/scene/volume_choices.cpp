@@ -37,6 +37,10 @@ glm::dvec3 volume_centre_mm(const VolumeFacts& volume) {
   return clamped_position(0.5 * (volume.bounds_minimum_mm + volume.bounds_maximum_mm));
 }
 
+glm::dvec3 slices_centre_mm(const VolumeFacts& volume) {
+  return clamped_position(volume.grid_centre_mm);
+}
+
 glm::dvec3 chosen_up(glm::dvec3 view_direction) {
   constexpr double kNearlyParallel = 1e-3;
   const double sine = glm::length(glm::cross(glm::normalize(view_direction), kSuperior));

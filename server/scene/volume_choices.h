@@ -9,6 +9,9 @@ namespace cutaway {
 
 glm::dvec3 volume_centre_mm(const VolumeFacts& volume);
 
+/// The middle of all voxels: where slices begin.
+glm::dvec3 slices_centre_mm(const VolumeFacts& volume);
+
 /// Up to the patient's head; where the view runs along that axis, up to the front of the patient.
 glm::dvec3 chosen_up(glm::dvec3 view_direction);
 

@@ -26,13 +26,10 @@ Error not_awaited(std::uint32_t frame, const std::string& awaited) {
 
 }  // namespace
 
-FrameFlow::FrameFlow(const std::shared_ptr<Strand>& strand, FrameSource& source, ClientSink& sink,
-                     std::uint64_t view, const SessionSettings& settings,
-                     std::function<void(const Error&)> failed)
+FrameFlow::FrameFlow(const std::shared_ptr<Strand>& strand, const ViewEnds& ends,
+                     const SessionSettings& settings, std::function<void(const Error&)> failed)
     : strand_(strand),
-      source_(source),
-      sink_(sink),
-      view_(view),
+      ends_(ends),
       failed_(std::move(failed)),
       credits_(settings.frames_in_flight),
       pacer_(settings.rest),
@@ -40,12 +37,19 @@ FrameFlow::FrameFlow(const std::shared_ptr<Strand>& strand, FrameSource& source,
       alarm_(strand->make_alarm([this] { pump(); })),
       tether_(strand) {}
 
-FrameFlow::~FrameFlow() { source_.release(view_); }
+FrameFlow::~FrameFlow() { ends_.source.release(ends_.view); }
 
 void FrameFlow::show(SceneSnapshot snapshot) {
   newest_ = std::move(snapshot);
   pacer_.changed(strand_->now());
   pump();
+}
+
+void FrameFlow::hide() {
+  newest_ = {};
+  pacer_.give_up();
+  alarm_->clear();
+  ends_.source.release(ends_.view);
 }
 
 void FrameFlow::acknowledge(std::uint32_t frame) {
@@ -55,6 +59,7 @@ void FrameFlow::acknowledge(std::uint32_t frame) {
     const Sent sent = sent_.front();
     if (sent.number == frame) measure(sent);
     sent_.pop_front();
+    ends_.link.arrived(sent.bytes);
     credits_.give_back();
   }
   pump();
@@ -93,7 +98,7 @@ void FrameFlow::pump() {
 }
 
 bool FrameFlow::renew(FrameKind kind) {
-  if (asked_.empty() || !source_.renew(request(kind))) return false;
+  if (asked_.empty() || !ends_.source.renew(request(kind))) return false;
   asked_.back().snapshot = newest_;
   return true;
 }
@@ -102,14 +107,14 @@ bool FrameFlow::ask(FrameKind kind) {
   if (!credits_.take()) return false;
   const std::uint64_t id = ++last_id_;
   asked_.push_back({id, newest_});
-  source_.submit(request(kind), tether_.bind<FrameOutcome>([this, id](FrameOutcome outcome) {
+  ends_.source.submit(request(kind), tether_.bind<FrameOutcome>([this, id](FrameOutcome outcome) {
     came_back(id, std::move(outcome));
   }));
   return true;
 }
 
 FrameRequest FrameFlow::request(FrameKind kind) const {
-  return {.view = view_,
+  return {.view = ends_.view,
           .revision = newest_.revision,
           .scene = newest_.scene,
           .quality = kind == FrameKind::still ? quality_.still(newest_.scene->viewport)
@@ -124,7 +129,8 @@ void FrameFlow::came_back(std::uint64_t id, FrameOutcome outcome) {
   auto* frame = std::get_if<Frame>(&outcome);
   // Frames are compressed side by side: one that a newer has overtaken would show the past.
   const bool is_overtaken = id < last_sent_id_;
-  if (frame != nullptr && !is_overtaken) {
+  const bool is_hidden = newest_.scene == nullptr;
+  if (frame != nullptr && !is_overtaken && !is_hidden) {
     last_sent_id_ = id;
     send(shown, *frame);
   } else {
@@ -147,26 +153,22 @@ void FrameFlow::send(const SceneSnapshot& shown, const Frame& frame) {
                        std::chrono::microseconds(frame.render_us));
   const std::uint32_t number = ++last_number_;
   const std::size_t bytes = frame.picture.size();
-  sent_.push_back({number, frame.quality, bytes, bytes_in_flight() + bytes, strand_->now()});
+  ends_.link.sent(bytes);
+  sent_.push_back({number, frame.quality, bytes, ends_.link.bytes_in_flight(), strand_->now()});
   std::vector<std::uint8_t> message =
       live_frame_message(number, shown.stamp, shown.scene->viewport, frame);
-  sink_.send_frame(std::move(message),
-                   tether_.bind<bool>([this, number](bool sent) { written(number, sent); }));
+  ends_.sink.send_frame(ends_.kind, std::move(message),
+                        tether_.bind<bool>([this, number](bool sent) { written(number, sent); }));
 }
 
 void FrameFlow::written(std::uint32_t number, bool sent) {
   if (sent) return;
   const auto lost = std::ranges::find(sent_, number, &Sent::number);
   if (lost == sent_.end()) return;
+  ends_.link.arrived(lost->bytes);
   sent_.erase(lost);
   credits_.give_back();
   pump();
-}
-
-std::size_t FrameFlow::bytes_in_flight() const {
-  std::size_t bytes = 0;
-  for (const Sent& sent : sent_) bytes += sent.bytes;
-  return bytes;
 }
 
 }  // namespace cutaway

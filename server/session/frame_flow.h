@@ -11,6 +11,7 @@
 #include "session/credits.h"
 #include "session/ends.h"
 #include "session/frame_message.h"
+#include "session/link_load.h"
 #include "session/pacer.h"
 #include "session/quality_control.h"
 #include "session/tether.h"
@@ -23,18 +24,28 @@ struct SceneSnapshot {
   InputStamp stamp;
 };
 
-/// Lives on the session's strand.
+/// What the frames of one view go through.
+struct ViewEnds {
+  FrameSource& source;
+  ClientSink& sink;
+  LinkLoad& link;          ///< the session's; outlives the flow
+  std::uint64_t view = 0;  ///< the renderer's name for it
+  ViewKind kind = ViewKind::volume;
+};
+
+/// Of one view. Lives on the session's strand.
 class FrameFlow {
  public:
   /// `failed` hears of each frame that could not be rendered.
-  FrameFlow(const std::shared_ptr<Strand>& strand, FrameSource& source, ClientSink& sink,
-            std::uint64_t view, const SessionSettings& settings,
-            std::function<void(const Error&)> failed);
+  FrameFlow(const std::shared_ptr<Strand>& strand, const ViewEnds& ends,
+            const SessionSettings& settings, std::function<void(const Error&)> failed);
   ~FrameFlow();
   FrameFlow(const FrameFlow&) = delete;
   FrameFlow& operator=(const FrameFlow&) = delete;
 
   void show(SceneSnapshot snapshot);
+  /// Makes no more frames before the next show, and frees what the renderer keeps for the view.
+  void hide();
   /// The newest scene has taken up another input that changed nothing in it.
   void restamp(InputStamp stamp) { newest_.stamp = stamp; }
   /// Returns the credits of this frame and those before it. Throws Error for a frame that is
@@ -66,12 +77,9 @@ class FrameFlow {
   void fail(const SceneSnapshot& shown, const Error& error);
   void check_awaited(std::uint32_t frame) const;
   void measure(const Sent& sent);
-  std::size_t bytes_in_flight() const;
 
   std::shared_ptr<Strand> strand_;
-  FrameSource& source_;
-  ClientSink& sink_;
-  std::uint64_t view_;
+  ViewEnds ends_;
   std::function<void(const Error&)> failed_;
   Credits credits_;
   Pacer pacer_;

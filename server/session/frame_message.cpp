@@ -13,6 +13,7 @@ std::vector<std::uint8_t> message(PictureType type, std::uint32_t number, const 
       encode_frame_header({.type = type,
                            .still_quality = frame.quality.still,
                            .lossless = saved,
+                           .view = static_cast<std::uint16_t>(viewport.kind),
                            .frame = number,
                            .revision = frame.revision,
                            .input = stamp.input,

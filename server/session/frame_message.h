@@ -9,6 +9,7 @@
 
 namespace cutaway {
 
+/// `number` counts the frames of the viewport's view.
 std::vector<std::uint8_t> live_frame_message(std::uint32_t number, const InputStamp& stamp,
                                              Viewport viewport, const Frame& frame);
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/slice_geometry.h"
+
 namespace cutaway {
 
 namespace {
@@ -88,6 +90,15 @@ std::optional<PickHit> pick(const Scene& scene, const OpenVolume& volume, glm::d
     if (const auto hit = first_hit(scene, volume, ray, stretch)) return hit;
   }
   return std::nullopt;
+}
+
+std::optional<SlicePoint> pick_on_slice(const Scene& scene, const OpenVolume& volume,
+                                        glm::dvec2 position_px) {
+  const Camera camera = slice_camera(scene, volume.facts().grid_half_axes_mm);
+  const glm::dvec3 position_mm = ray_through(camera, scene.viewport, position_px).origin_mm;
+  const auto value = volume.value_at(position_mm);
+  if (!value) return std::nullopt;
+  return SlicePoint{position_mm, *value};
 }
 
 glm::dvec3 dragged_lens_centre(const Scene& scene, const OpenVolume& volume,

@@ -20,6 +20,15 @@ struct PickHit {
 /// nothing where there is neither.
 std::optional<PickHit> pick(const Scene& scene, const OpenVolume& volume, glm::dvec2 position_px);
 
+/// The point of a slice's plane that its viewport shows there, and its value; nothing beside the
+/// volume.
+struct SlicePoint {
+  glm::dvec3 position_mm;
+  double value;
+};
+std::optional<SlicePoint> pick_on_slice(const Scene& scene, const OpenVolume& volume,
+                                        glm::dvec2 position_px);
+
 /// Where drag_lens puts the lens: on the context's surface under the point as if there were no
 /// lens; beside the volume on the plane through the present centre that faces the viewer, or the
 /// present centre where that plane is not ahead.

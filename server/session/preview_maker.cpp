@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "scene/json_text.h"
 #include "session/frame_message.h"
 
 namespace cutaway {
@@ -21,17 +22,20 @@ Error given_up() {
   return Error({.code = "render-failed", .message = "the preview was given up by the renderer"});
 }
 
+/// All that a picture of a whole volume depends on.
+std::string cache_key(const PreviewMessage& wish) {
+  return json_text(Json::array({wish.volume.value_or(""), wish.style.value_or(""), wish.scene,
+                                wish.width_px, wish.height_px}));
+}
+
+Viewport viewport_of(const PreviewMessage& wish) { return {wish.width_px, wish.height_px}; }
+
 }  // namespace
 
-PreviewMaker::PreviewMaker(std::shared_ptr<Strand> strand, FrameSource& source, ClientSink& sink,
-                           std::uint64_t view, Hooks hooks)
-    : source_(source),
-      sink_(sink),
-      view_(view),
-      hooks_(std::move(hooks)),
-      tether_(std::move(strand)) {}
+PreviewMaker::PreviewMaker(Ends ends, Hooks hooks)
+    : ends_(std::move(ends)), hooks_(std::move(hooks)), tether_(ends_.strand) {}
 
-PreviewMaker::~PreviewMaker() { source_.release(view_); }
+PreviewMaker::~PreviewMaker() { ends_.source.release(ends_.view); }
 
 void PreviewMaker::want(const PreviewMessage& wish) {
   if (waiting_.size() >= kMostWaiting) {
@@ -40,49 +44,78 @@ void PreviewMaker::want(const PreviewMessage& wish) {
                  .expected = "at most " + std::to_string(kMostWaiting) + " at a time"});
   }
   waiting_.push_back(wish);
-  make_next();
+  if (!busy_) make_next();
 }
 
 void PreviewMaker::make_next() {
-  while (!busy_ && !waiting_.empty()) {
-    const PreviewMessage wish = std::move(waiting_.front());
-    waiting_.pop_front();
-    try {
-      begin(wish);
-    } catch (const Error& error) {
-      hooks_.failed(wish.request, error);
-    }
-  }
-  if (!busy_) source_.release(view_);
+  busy_ = !waiting_.empty();
+  if (!busy_) return ends_.source.release(ends_.view);
+  const PreviewMessage wish = std::move(waiting_.front());
+  waiting_.pop_front();
+  begin(wish);
 }
 
 void PreviewMaker::begin(const PreviewMessage& wish) {
-  const SceneSnapshot shown = hooks_.scene(wish);
-  busy_ = true;
-  source_.submit(
-      {.view = view_,
-       .revision = shown.revision,
-       .scene = shown.scene,
-       .quality = preview_quality()},
-      tether_.bind<FrameOutcome>([this, request = wish.request, shown](FrameOutcome outcome) {
-        came_back(request, shown, std::move(outcome));
-      }));
+  if (!wish.volume) return render(wish);
+  if (const auto kept = ends_.cache.find(cache_key(wish))) return send(wish, {}, *kept);
+  open(wish);
 }
 
-void PreviewMaker::came_back(std::uint32_t request, const SceneSnapshot& shown,
-                             FrameOutcome outcome) {
-  if (auto* frame = std::get_if<Frame>(&outcome)) {
-    sink_.send_still(preview_message(request, shown.stamp, shown.scene->viewport, *frame),
-                     tether_.bind<bool>([this](bool) { ended(); }));
-    return;
+void PreviewMaker::open(const PreviewMessage& wish) {
+  ticket_ = ends_.volumes.open(*wish.volume, {},
+                               tether_.bind<OpenOutcome>([this, wish](OpenOutcome outcome) {
+                                 opened(wish, std::move(outcome));
+                               }));
+}
+
+void PreviewMaker::opened(const PreviewMessage& wish, OpenOutcome outcome) {
+  ticket_.reset();
+  if (const auto* error = std::get_if<Error>(&outcome)) return fail(wish, *error);
+  if (std::holds_alternative<Cancelled>(outcome)) return fail(wish, given_up());
+  other_ = std::move(std::get<std::shared_ptr<const OpenVolume>>(outcome));
+  render(wish);
+}
+
+void PreviewMaker::render(const PreviewMessage& wish) {
+  try {
+    const SceneSnapshot shown = hooks_.scene(wish, other_.get());
+    ends_.source.submit({.view = ends_.view,
+                         .revision = shown.revision,
+                         .scene = shown.scene,
+                         .quality = preview_quality()},
+                        tether_.bind<FrameOutcome>([this, wish, shown](FrameOutcome outcome) {
+                          came_back(wish, shown, std::move(outcome));
+                        }));
+  } catch (const Error& error) {
+    fail(wish, error);
   }
-  const auto* error = std::get_if<Error>(&outcome);
-  hooks_.failed(request, error != nullptr ? *error : given_up());
+}
+
+void PreviewMaker::came_back(const PreviewMessage& wish, const SceneSnapshot& shown,
+                             FrameOutcome outcome) {
+  auto* frame = std::get_if<Frame>(&outcome);
+  if (frame == nullptr) {
+    const auto* error = std::get_if<Error>(&outcome);
+    return fail(wish, error != nullptr ? *error : given_up());
+  }
+  const auto made = std::make_shared<const Frame>(std::move(*frame));
+  if (wish.volume) ends_.cache.put(cache_key(wish), made);
+  send(wish, shown.stamp, *made);
+}
+
+void PreviewMaker::send(const PreviewMessage& wish, const InputStamp& stamp, const Frame& frame) {
+  other_.reset();
+  ends_.sink.send_still(preview_message(wish.request, stamp, viewport_of(wish), frame),
+                        tether_.bind<bool>([this](bool) { ended(); }));
+}
+
+void PreviewMaker::fail(const PreviewMessage& wish, const Error& error) {
+  hooks_.failed(wish.request, error);
   ended();
 }
 
 void PreviewMaker::ended() {
-  busy_ = false;
+  other_.reset();
   make_next();
 }
 

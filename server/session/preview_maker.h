@@ -1,4 +1,5 @@
-// Small pictures of the client's scene in other styles, for a gallery.
+// Small pictures of the client's scene in other styles, for a gallery, and of other volumes, for a
+// listing.
 #pragma once
 
 #include <cstdint>
@@ -8,22 +9,31 @@
 
 #include "session/ends.h"
 #include "session/frame_flow.h"
+#include "session/preview_cache.h"
 
 namespace cutaway {
 
 /// One at a time, in a view of its own, beside the live frames and their credits; several may wait.
-/// Lives on the session's strand.
+/// Another volume is open only while its picture is made. Lives on the session's strand.
 class PreviewMaker {
  public:
+  struct Ends {
+    std::shared_ptr<Strand> strand;
+    FrameSource& source;
+    VolumeLibrary& volumes;
+    ClientSink& sink;
+    PreviewCache& cache;
+    std::uint64_t view = 0;
+  };
   struct Hooks {
-    /// The session's scene as it is now, in the style and of the size. Throws Error.
-    std::function<SceneSnapshot(const PreviewMessage&)> scene;
+    /// What the preview shows: of the other volume where there is one, else of the session's scene
+    /// as it is now. Throws Error.
+    std::function<SceneSnapshot(const PreviewMessage&, const OpenVolume* other)> scene;
     /// Hears of a preview that could not be made, with its request.
     std::function<void(std::uint32_t, const Error&)> failed;
   };
 
-  PreviewMaker(std::shared_ptr<Strand> strand, FrameSource& source, ClientSink& sink,
-               std::uint64_t view, Hooks hooks);
+  PreviewMaker(Ends ends, Hooks hooks);
   ~PreviewMaker();
   PreviewMaker(const PreviewMaker&) = delete;
   PreviewMaker& operator=(const PreviewMaker&) = delete;
@@ -34,15 +44,20 @@ class PreviewMaker {
  private:
   void make_next();
   void begin(const PreviewMessage& wish);
-  void came_back(std::uint32_t request, const SceneSnapshot& shown, FrameOutcome outcome);
+  void open(const PreviewMessage& wish);
+  void opened(const PreviewMessage& wish, OpenOutcome outcome);
+  void render(const PreviewMessage& wish);
+  void came_back(const PreviewMessage& wish, const SceneSnapshot& shown, FrameOutcome outcome);
+  void send(const PreviewMessage& wish, const InputStamp& stamp, const Frame& frame);
+  void fail(const PreviewMessage& wish, const Error& error);
   void ended();
 
-  FrameSource& source_;
-  ClientSink& sink_;
-  std::uint64_t view_;
+  Ends ends_;
   Hooks hooks_;
   std::deque<PreviewMessage> waiting_;
   bool busy_ = false;
+  std::unique_ptr<OpenTicket> ticket_;
+  std::shared_ptr<const OpenVolume> other_;  ///< the preview's that is being made
   Tether tether_;
 };
 

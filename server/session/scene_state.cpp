@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/slice_geometry.h"
+
 namespace cutaway {
 
 namespace {
@@ -25,6 +27,8 @@ bool says_more(const Json& complete, const Json& document) {
   return false;
 }
 
+bool has_size(Viewport viewport) { return viewport.width_px > 0; }
+
 // In a live session the document's viewport says nothing; the viewport message does.
 Json without_viewport(Json document) {
   document.erase("viewport");
@@ -34,38 +38,58 @@ Json without_viewport(Json document) {
 }  // namespace
 
 SceneState::Change SceneState::set_document(const Json& document) {
-  return commit(document, viewport_, volume_);
+  return commit(document, viewports_, volume_);
 }
 
 SceneState::Change SceneState::set_viewport(Viewport viewport) {
-  return commit(document_, viewport, volume_);
+  Viewports viewports = viewports_;
+  viewports[static_cast<std::size_t>(viewport.kind)] = viewport;
+  return commit(document_, viewports, volume_);
+}
+
+void SceneState::close(ViewKind view) {
+  viewports_[static_cast<std::size_t>(view)] = {};
+  scenes_[static_cast<std::size_t>(view)] = nullptr;
 }
 
 SceneState::Change SceneState::set_volume(std::shared_ptr<const OpenVolume> volume,
                                           const Json& document) {
-  return commit(document, viewport_, std::move(volume));
+  return commit(document, viewports_, std::move(volume));
 }
 
-SceneState::Change SceneState::commit(Json document, Viewport viewport,
+SceneState::Change SceneState::commit(Json document, const Viewports& viewports,
                                       std::shared_ptr<const OpenVolume> volume) {
   Change change;
-  if (volume && viewport == Viewport{}) {
+  const Viewport viewport = viewports[static_cast<std::size_t>(ViewKind::volume)];
+  if (volume && !has_size(viewport)) {
     // Throws now what it would throw later.
     resolve_scene(document, volume->facts(), kAnyViewport, lenses_);
   } else if (volume) {
-    auto scene =
-        std::make_shared<const Scene>(resolve_scene(document, volume->facts(), viewport, lenses_));
-    Json complete = scene_document(*scene);
-    change.picture = !scene_ || *scene != *scene_ || volume != volume_;
+    const Scene resolved = resolve_scene(document, volume->facts(), viewport, lenses_);
+    Json complete = scene_document(resolved);
+    const bool is_new_volume = volume != volume_;
+    change.scene = is_new_volume || !scene() || resolved != *scene();
     change.chosen = says_more(without_viewport(complete), document);
     document = std::move(complete);
-    if (change.picture) scene_ = std::move(scene);
+    put_scenes(resolved, viewports, is_new_volume, change);
   }
   document_ = std::move(document);
-  viewport_ = viewport;
+  viewports_ = viewports;
   volume_ = std::move(volume);
-  if (change.picture) ++revision_;
+  if (change.scene) ++revision_;
   return change;
+}
+
+void SceneState::put_scenes(const Scene& scene, const Viewports& viewports, bool is_new_volume,
+                            Change& change) {
+  for (std::size_t view = 0; view < viewports.size(); ++view) {
+    if (!has_size(viewports[view])) continue;
+    Scene seen = scene;
+    seen.viewport = viewports[view];
+    const auto& before = scenes_[view];
+    change.pictures[view] = is_new_volume || !before || !show_the_same(*before, seen);
+    scenes_[view] = std::make_shared<const Scene>(std::move(seen));
+  }
 }
 
 std::optional<std::string> volume_of(const Json& document) {

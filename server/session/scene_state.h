@@ -1,49 +1,63 @@
 // The scene that a session shows, and how a message changes it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "scene/client_message.h"
 #include "scene/resolve.h"
 #include "session/ends.h"
 
 namespace cutaway {
 
-/// The document, the viewport and the open volume, and the scene that follows from all three. Every
-/// change either takes effect whole or throws Error and changes nothing. Lives on the session's
-/// strand.
+/// The document, the viewports and the open volume, and the scene that follows from all of them.
+/// Every change either takes effect whole or throws Error and changes nothing. Lives on the
+/// session's strand.
 class SceneState {
  public:
   struct Change {
-    bool picture = false;  ///< another picture than before; the revision went up
-    bool chosen = false;   ///< the resolved document says more than the client did
+    bool scene = false;                   ///< another scene than before; the revision went up
+    std::array<bool, kViews> pictures{};  ///< which views show another picture than before
+    bool chosen = false;                  ///< the resolved document says more than the client did
   };
 
   /// What the client said so far; once a scene is resolved, the whole of it, so that nothing chosen
   /// for the volume moves by itself later.
   const Json& document() const { return document_; }
   const std::shared_ptr<const OpenVolume>& volume() const { return volume_; }
-  Viewport viewport() const { return viewport_; }
-  /// Nothing until there are a volume and a viewport.
-  const std::shared_ptr<const Scene>& scene() const { return scene_; }
+  /// Nothing until there are a volume and the 3-D picture's viewport.
+  const std::shared_ptr<const Scene>& scene() const { return scene(ViewKind::volume); }
+  /// The same scene with this view's viewport; nothing while it has none.
+  const std::shared_ptr<const Scene>& scene(ViewKind view) const {
+    return scenes_[static_cast<std::size_t>(view)];
+  }
   std::uint32_t revision() const { return revision_; }
   /// How often a lens' place was looked for since this was asked last, for changes that were
   /// refused, too.
   int take_lens_searches() { return lenses_.take_searches(); }
 
   Change set_document(const Json& document);
+  /// Of the view that is the viewport's kind.
   Change set_viewport(Viewport viewport);
+  /// The view has no viewport any more.
+  void close(ViewKind view);
   Change set_volume(std::shared_ptr<const OpenVolume> volume, const Json& document);
 
  private:
-  Change commit(Json document, Viewport viewport, std::shared_ptr<const OpenVolume> volume);
+  using Viewports = std::array<Viewport, kViews>;  ///< 0x0: the view has none
+
+  Change commit(Json document, const Viewports& viewports,
+                std::shared_ptr<const OpenVolume> volume);
+  void put_scenes(const Scene& scene, const Viewports& viewports, bool is_new_volume,
+                  Change& change);
 
   Json document_ = Json::object();
-  Viewport viewport_;
+  Viewports viewports_;
   std::shared_ptr<const OpenVolume> volume_;
-  std::shared_ptr<const Scene> scene_;
+  std::array<std::shared_ptr<const Scene>, kViews> scenes_;
   std::uint32_t revision_ = 0;
   LensMemory lenses_;
 };

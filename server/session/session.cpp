@@ -18,6 +18,16 @@ constexpr std::size_t kSmallMessageBytes =
     256;  // an acknowledgement is smaller; it passes any rate limit
 constexpr Milliseconds kBetweenScenes{50.0};  // `scene` messages to the client
 
+/// A patch that is not taken up can change all but the volume, which would have to be opened.
+const Json& for_one_picture(const Json& patch) {
+  if (!patch.contains("volume")) return patch;
+  throw Error({.code = "invalid-scene",
+               .message = "a picture's patch cannot name a volume",
+               .field = "/volume",
+               .expected = "another field of a scene",
+               .received = json_text(patch.at("volume"))});
+}
+
 }  // namespace
 
 Session::Session(SessionEnds ends, const SessionSettings& settings)
@@ -25,14 +35,18 @@ Session::Session(SessionEnds ends, const SessionSettings& settings)
       settings_(settings),
       message_rate_(settings.messages_per_second, settings.message_burst, ends_.strand->now()),
       refusal_rate_(kRefusalsPerSecond, 1.0, ends_.strand->now()),
-      flow_(ends_.strand, ends_.frames, ends_.client, ends_.live_view, settings,
-            [this](const Error& error) { refuse(error, {}); }),
       stills_(ends_.strand, ends_.frames, ends_.client, ends_.still_view,
               [this](std::uint32_t request, const Error& error) {
                 refuse(error, {.input = {}, .request = request});
               }),
-      previews_(ends_.strand, ends_.frames, ends_.client, ends_.preview_view,
-                {.scene = [this](const PreviewMessage& wish) { return in_style(wish); },
+      previews_({.strand = ends_.strand,
+                 .source = ends_.frames,
+                 .volumes = ends_.volumes,
+                 .sink = ends_.client,
+                 .cache = ends_.previews,
+                 .view = ends_.preview_view},
+                {.scene = [this](const PreviewMessage& wish,
+                                 const OpenVolume* other) { return preview_of(wish, other); },
                  .failed =
                      [this](std::uint32_t request, const Error& error) {
                        refuse(error, {.input = {}, .request = request});
@@ -44,7 +58,17 @@ Session::Session(SessionEnds ends, const SessionSettings& settings)
                     },
                 .finished = [this](OpenOutcome outcome) { opened(std::move(outcome)); }}),
       scene_alarm_(ends_.strand->make_alarm([this] { tell_scene(); })),
-      tether_(ends_.strand) {}
+      tether_(ends_.strand) {
+  for (std::size_t view = 0; view < flows_.size(); ++view) {
+    const ViewEnds of_view{.source = ends_.frames,
+                           .sink = ends_.client,
+                           .link = link_,
+                           .view = ends_.live_views[view],
+                           .kind = static_cast<ViewKind>(view)};
+    flows_[view] = std::make_unique<FrameFlow>(ends_.strand, of_view, settings,
+                                               [this](const Error& error) { refuse(error, {}); });
+  }
+}
 
 void Session::start() {
   ends_.client.send_text(*ends_.capabilities);
@@ -74,7 +98,8 @@ Session::Reception Session::receive_text(std::string_view text) {
   const bool too_fast = !message_rate_.take(ends_.strand->now());
   if (too_fast && text.size() > kSmallMessageBytes) return refuse_too_fast();
   try {
-    const ClientMessage message = parse_client_message(text, settings_.viewport_side_px);
+    const ClientMessage message = parse_client_message(
+        text, {.viewport_px = settings_.viewport_side_px, .still_px = settings_.still_side_px});
     if (too_fast && !std::holds_alternative<AckMessage>(message)) return refuse_too_fast();
     std::visit([this](const auto& each) { handle(each); }, message);
   } catch (const Error& error) {
@@ -109,10 +134,12 @@ Session::Reception Session::refuse_too_fast() {
 void Session::took_effect(SceneState::Change change, InputStamp stamp) {
   stamp_ = stamp;
   if (change.chosen) tell_scene_soon();
-  if (change.picture) {
-    flow_.show(snapshot());
-  } else {
-    flow_.restamp(stamp);
+  for (std::size_t view = 0; view < flows_.size(); ++view) {
+    if (change.pictures[view]) {
+      flows_[view]->show(snapshot(static_cast<ViewKind>(view)));
+    } else {
+      flows_[view]->restamp(stamp);
+    }
   }
 }
 
@@ -144,16 +171,32 @@ void Session::refuse(const Error& error, const MessageEcho& echo) {
 
 void Session::tell(const Json& message) { ends_.client.send_text(json_text(message)); }
 
-SceneSnapshot Session::in_style(const PreviewMessage& wish) const {
-  shown_scene();
-  const Json document = changed_document(state_.document(), style(wish.style).scene, false);
+SceneSnapshot Session::preview_of(const PreviewMessage& wish, const OpenVolume* other) const {
+  const OpenVolume* volume = other;
+  Json document = Json::object();
+  if (other == nullptr) {
+    shown_scene();
+    volume = state_.volume().get();
+    document = state_.document();
+  }
+  if (wish.style) document = changed_document(document, style(*wish.style).scene, false);
+  document = changed_document(document, for_one_picture(wish.scene), false);
   auto scene = std::make_shared<const Scene>(
-      resolve_scene(document, state_.volume()->facts(), {wish.width_px, wish.height_px}));
+      resolve_scene(document, volume->facts(), {wish.width_px, wish.height_px}));
   return {.scene = std::move(scene), .revision = state_.revision(), .stamp = stamp_};
 }
 
-SceneSnapshot Session::snapshot() const {
-  return {.scene = state_.scene(), .revision = state_.revision(), .stamp = stamp_};
+SceneSnapshot Session::still_of(const SaveStillMessage& wish) const {
+  shown_scene(wish.view);
+  const Json document = changed_document(state_.document(), for_one_picture(wish.scene), false);
+  auto scene = std::make_shared<Scene>(
+      resolve_scene(document, state_.volume()->facts(), shown_scene().viewport));
+  scene->viewport = {wish.width_px, wish.height_px, wish.view};
+  return {.scene = std::move(scene), .revision = state_.revision(), .stamp = stamp_};
+}
+
+SceneSnapshot Session::snapshot(ViewKind view) const {
+  return {.scene = state_.scene(view), .revision = state_.revision(), .stamp = stamp_};
 }
 
 }  // namespace cutaway

@@ -2,6 +2,7 @@
 // may still ask.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,9 +27,10 @@ struct SessionEnds {
   FrameSource& frames;
   VolumeLibrary& volumes;
   ClientSink& client;
-  std::uint64_t live_view = 0;                      ///< of no other session
-  std::uint64_t still_view = 0;                     ///< likewise, nor live_view
-  std::uint64_t preview_view = 0;                   ///< likewise, nor one of the two
+  std::array<std::uint64_t, kViews> live_views{};   ///< of no other session
+  std::uint64_t still_view = 0;                     ///< likewise, nor one of these
+  std::uint64_t preview_view = 0;                   ///< likewise
+  PreviewCache& previews;                           ///< shared by all sessions
   std::shared_ptr<const std::string> capabilities;  ///< the message, ready to send
 };
 
@@ -65,6 +67,7 @@ class Session {
   void handle(const AckMessage& message);
   void handle(const SaveStillMessage& message);
   void handle(const PreviewMessage& message);
+  void handle(const CloseViewMessage& message);
 
   void open_volume(const std::string& id, Json document, InputStamp stamp);
   void change_shown(const SceneMessage& message);
@@ -74,15 +77,17 @@ class Session {
   void stop_opening();
   void took_effect(SceneState::Change change, InputStamp stamp);
 
-  const Scene& shown_scene() const;
+  FrameFlow& flow(ViewKind view) { return *flows_[static_cast<std::size_t>(view)]; }
+  const Scene& shown_scene(ViewKind view = ViewKind::volume) const;
   void check_pixels(int width_px, int height_px) const;
   void tell_scene();
   void tell_scene_soon();
   void tell_volumes();
   void tell(const Json& message);
   void refuse(const Error& error, const MessageEcho& echo);
-  SceneSnapshot snapshot() const;
-  SceneSnapshot in_style(const PreviewMessage& wish) const;
+  SceneSnapshot snapshot(ViewKind view) const;
+  SceneSnapshot still_of(const SaveStillMessage& wish) const;
+  SceneSnapshot preview_of(const PreviewMessage& wish, const OpenVolume* other) const;
 
   SessionEnds ends_;
   SessionSettings settings_;
@@ -90,7 +95,8 @@ class Session {
   TokenBucket refusal_rate_;
   SceneState state_;
   InputStamp stamp_;  ///< of the newest message that changed the scene, or will
-  FrameFlow flow_;
+  LinkLoad link_;
+  std::array<std::unique_ptr<FrameFlow>, kViews> flows_;
   StillSaver stills_;
   PreviewMaker previews_;
   VolumeOpening opening_;

@@ -17,6 +17,26 @@ Error no_volume() {
                 .expected = "an open volume and a viewport first"});
 }
 
+std::optional<PickedPoint> picked_surface(const Scene& scene, const OpenVolume& volume,
+                                          glm::dvec2 position_px) {
+  const auto hit = pick(scene, volume, position_px);
+  if (!hit) return std::nullopt;
+  return PickedPoint{.position_mm = hit->position_mm,
+                     .value = volume.value_at(hit->position_mm).value_or(hit->limit_value),
+                     .units = volume.units(),
+                     .branch = hit->branch};
+}
+
+std::optional<PickedPoint> picked_slice(const Scene& scene, const OpenVolume& volume,
+                                        glm::dvec2 position_px) {
+  const auto point = pick_on_slice(scene, volume, position_px);
+  if (!point) return std::nullopt;
+  return PickedPoint{.position_mm = point->position_mm,
+                     .value = point->value,
+                     .units = volume.units(),
+                     .branch = {}};
+}
+
 }  // namespace
 
 void Session::handle(const SceneMessage& message) {
@@ -52,7 +72,13 @@ void Session::change_shown(const SceneMessage& message) {
 
 void Session::handle(const ViewportMessage& message) {
   check_pixels(message.width_px, message.height_px);
-  took_effect(state_.set_viewport({message.width_px, message.height_px}), message.stamp);
+  took_effect(state_.set_viewport({message.width_px, message.height_px, message.view}),
+              message.stamp);
+}
+
+void Session::handle(const CloseViewMessage& message) {
+  state_.close(message.view);
+  flow(message.view).hide();
 }
 
 void Session::handle(const DragLensMessage& message) {
@@ -65,37 +91,31 @@ void Session::handle(const DragLensMessage& message) {
 }
 
 void Session::handle(const PickMessage& message) {
-  const auto hit = pick(shown_scene(), *state_.volume(), message.position_px);
-  std::optional<PickedPoint> point;
-  if (hit) {
-    point =
-        PickedPoint{.position_mm = hit->position_mm,
-                    .value = state_.volume()->value_at(hit->position_mm).value_or(hit->limit_value),
-                    .units = state_.volume()->units(),
-                    .branch = hit->branch};
-  }
+  const Scene& scene = shown_scene(message.view);
+  const OpenVolume& volume = *state_.volume();
+  const auto point = message.view == ViewKind::volume
+                         ? picked_surface(scene, volume, message.position_px)
+                         : picked_slice(scene, volume, message.position_px);
   tell(picked_message(message.request, point));
 }
 
 void Session::handle(const CancelLoadMessage&) { stop_opening(); }
 
-void Session::handle(const AckMessage& message) { flow_.acknowledge(message.frame); }
+void Session::handle(const AckMessage& message) { flow(message.view).acknowledge(message.frame); }
 
 void Session::handle(const SaveStillMessage& message) {
-  check_pixels(message.width_px, message.height_px);
-  shown_scene();
-  const Viewport size{message.width_px, message.height_px};
-  stills_.save({message.request, size}, snapshot(), still_quality(settings_, size));
+  const SceneSnapshot still = still_of(message);
+  stills_.save(message.request, still, still_quality(settings_, still.scene->viewport));
 }
 
 void Session::handle(const PreviewMessage& message) {
-  style(message.style);  // refused now where there is none
+  if (message.style) style(*message.style);  // refused now where there is none
   previews_.want(message);
 }
 
-const Scene& Session::shown_scene() const {
-  if (!state_.scene()) throw no_volume();
-  return *state_.scene();
+const Scene& Session::shown_scene(ViewKind view) const {
+  if (!state_.scene(view)) throw no_volume();
+  return *state_.scene(view);
 }
 
 void Session::check_pixels(int width_px, int height_px) const {

@@ -44,8 +44,8 @@ void Session::show_opened(std::shared_ptr<const OpenVolume> volume, const Pendin
   const SceneState::Change change = state_.set_volume(std::move(volume), pending.document);
   tell(loading_message(pending.volume, LoadEnd::ready));
   // What came while it was opened is in it, too.
-  took_effect({.picture = change.picture, .chosen = false}, stamp_);
-  if (change.picture) tell_scene();  // whether or not anything was chosen
+  took_effect({.scene = change.scene, .pictures = change.pictures, .chosen = false}, stamp_);
+  if (change.scene) tell_scene();  // whether or not anything was chosen
 }
 
 }  // namespace cutaway

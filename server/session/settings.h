@@ -16,6 +16,7 @@ struct SessionSettings {
   std::int64_t still_rays = 8'400'000;  ///< of a still frame: a larger one gets fewer a pixel
   Milliseconds still_budget{500.0};     ///< for a still's rendering: where more rays a pixel are
                                         ///< expected to take longer, it gets fewer
+  int still_side_px = 8192;             ///< of a saved still
   int viewport_side_px = 4096;
   std::int64_t viewport_pixels = std::int64_t{4096} * 2304;
   double messages_per_second = 300.0;

@@ -6,12 +6,6 @@ namespace cutaway {
 
 namespace {
 
-SceneSnapshot resized(const SceneSnapshot& snapshot, Viewport size) {
-  auto scene = std::make_shared<Scene>(*snapshot.scene);
-  scene->viewport = size;
-  return {.scene = std::move(scene), .revision = snapshot.revision, .stamp = snapshot.stamp};
-}
-
 Error cancelled() {
   return Error({.code = "render-failed", .message = "the still was given up by the renderer"});
 }
@@ -28,14 +22,13 @@ StillSaver::StillSaver(std::shared_ptr<Strand> strand, FrameSource& source, Clie
 
 StillSaver::~StillSaver() { source_.release(view_); }
 
-void StillSaver::save(const Wish& wish, const SceneSnapshot& snapshot,
-                      const FrameQuality& quality) {
+void StillSaver::save(std::uint32_t request, SceneSnapshot snapshot, const FrameQuality& quality) {
   if (waiting_) {
     throw Error({.code = "rate-limited",
                  .message = "a still is being made and another one waits",
                  .expected = "the next save_still once one of the two came"});
   }
-  waiting_ = Waiting{wish.request, resized(snapshot, wish.size), quality};
+  waiting_ = Waiting{request, std::move(snapshot), quality};
   if (!busy_) make_next();
 }
 

@@ -1,4 +1,4 @@
-// The client's wish for a lossless picture of its scene, of a size of its own.
+// The client's wish for a lossless picture of a scene, of a size of its own.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,6 @@ namespace cutaway {
 /// session's strand.
 class StillSaver {
  public:
-  struct Wish {
-    std::uint32_t request = 0;
-    Viewport size;
-  };
-
   /// `failed` hears of a still that could not be rendered, with its request.
   StillSaver(std::shared_ptr<Strand> strand, FrameSource& source, ClientSink& sink,
              std::uint64_t view, std::function<void(std::uint32_t, const Error&)> failed);
@@ -29,8 +24,8 @@ class StillSaver {
   StillSaver(const StillSaver&) = delete;
   StillSaver& operator=(const StillSaver&) = delete;
 
-  /// Throws Error while one waits already.
-  void save(const Wish& wish, const SceneSnapshot& snapshot, const FrameQuality& quality);
+  /// Of the snapshot's viewport. Throws Error while one waits already.
+  void save(std::uint32_t request, SceneSnapshot snapshot, const FrameQuality& quality);
 
  private:
   struct Waiting {

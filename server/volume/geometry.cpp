@@ -64,4 +64,16 @@ double diagonal_mm(const VolumeGeometry& geometry) {
   return glm::length(glm::dvec3(geometry.size_voxels - 1) * geometry.spacing_mm);
 }
 
+glm::dmat3 half_axes_mm(const VolumeGeometry& geometry) {
+  const glm::dvec3 half_mm = 0.5 * glm::dvec3(geometry.size_voxels) * geometry.spacing_mm;
+  glm::dmat3 axes = geometry.direction_patient;
+  for (int axis = 0; axis < 3; ++axis) axes[axis] *= half_mm[axis];
+  return axes;
+}
+
+glm::dvec3 centre_mm(const VolumeGeometry& geometry) {
+  const glm::dvec3 middle = 0.5 * glm::dvec3(geometry.size_voxels - 1);
+  return {index_to_patient(geometry) * glm::dvec4(middle, 1.0)};
+}
+
 }  // namespace cutaway

@@ -43,6 +43,12 @@ bool is_within_reach(glm::dvec3 position_mm);
 /// Whether all voxel centres are.
 bool is_within_reach(const VolumeGeometry& geometry);
 
+/// Columns: from the grid's centre to the middle of a face, along the i, j and k axes. A face lies
+/// half a voxel beyond the outermost centres.
+glm::dmat3 half_axes_mm(const VolumeGeometry& geometry);
+
+glm::dvec3 centre_mm(const VolumeGeometry& geometry);
+
 /// In its unit rays count their steps.
 double smallest_spacing_mm(const VolumeGeometry& geometry);
 

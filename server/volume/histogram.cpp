@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <string>
 
 #include "core/check.h"
@@ -67,6 +68,31 @@ Histogram build_histogram(const Volume& volume, int bins) {
   std::visit([&](const auto& voxels) { count(volume, std::span(voxels), histogram); },
              volume.voxels);
   return histogram;
+}
+
+namespace {
+
+/// The value below which a share of the voxels lies, to a bin.
+double quantile(const Histogram& histogram, double share) {
+  const std::uint64_t all =
+      std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0});
+  const double width = histogram.range.maximum - histogram.range.minimum;
+  double below = 0.0;
+  std::size_t bin = 0;
+  while (bin < histogram.counts.size() &&
+         below + double(histogram.counts[bin]) <= share * double(all))
+    below += double(histogram.counts[bin++]);
+  return histogram.range.minimum + width * (double(bin) + 0.5) / double(histogram.counts.size());
+}
+
+}  // namespace
+
+ValueRange suggest_window(const VolumeDescription& description, const Histogram& histogram) {
+  if (description.units == "HU") return {-160.0, 240.0};
+  const ValueRange usual{quantile(histogram, 0.01), quantile(histogram, 0.99)};
+  if (usual.maximum > usual.minimum) return usual;
+  const double middle = usual.minimum;
+  return {middle - 0.5, middle + 0.5};
 }
 
 }  // namespace cutaway

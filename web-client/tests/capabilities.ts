@@ -93,6 +93,7 @@ export const capabilities: CapabilitiesMessage = {
   limits: {
     message_bytes: 65536,
     viewport_side_px: 4096,
+    still_side_px: 8192,
     viewport_pixels: 8388608,
     frames_in_flight: 2,
   },

@@ -16,7 +16,7 @@ std::uint8_t first_byte(const std::optional<OutQueue::Message>& message) {
 TEST(OutQueue, GivesTextsInOrderThenTheFrameThenTheStill) {
   OutQueue queue(100);
   queue.put_still({3}, nullptr);
-  queue.put_frame({2}, nullptr);
+  queue.put_frame(0, {2}, nullptr);
   EXPECT_TRUE(queue.put_text("one"));
   EXPECT_TRUE(queue.put_text("two"));
   EXPECT_EQ(text_of(queue.take()), "one");
@@ -29,9 +29,19 @@ TEST(OutQueue, GivesTextsInOrderThenTheFrameThenTheStill) {
 TEST(OutQueue, ANewerFrameReplacesTheWaitingOne) {
   OutQueue queue(100);
   std::vector<bool> sent;
-  queue.put_frame({1}, [&](bool ok) { sent.push_back(ok); });
-  queue.put_frame({2}, [&](bool ok) { sent.push_back(ok); });
+  queue.put_frame(0, {1}, [&](bool ok) { sent.push_back(ok); });
+  queue.put_frame(0, {2}, [&](bool ok) { sent.push_back(ok); });
   EXPECT_EQ(sent, std::vector{false});
+  EXPECT_EQ(first_byte(queue.take()), 2);
+  EXPECT_FALSE(queue.take().has_value());
+}
+
+TEST(OutQueue, KeepsTheNewestFrameOfEachViewInTheOrderOfTheViews) {
+  OutQueue queue(100);
+  queue.put_frame(2, {1}, nullptr);
+  queue.put_frame(0, {2}, nullptr);
+  queue.put_frame(2, {3}, nullptr);
+  EXPECT_EQ(first_byte(queue.take()), 3);
   EXPECT_EQ(first_byte(queue.take()), 2);
   EXPECT_FALSE(queue.take().has_value());
 }
@@ -67,7 +77,7 @@ TEST(OutQueue, TakesOneTextOfAnyLength) {
 TEST(OutQueue, TellsAllThatWaitsWhenItIsAbandoned) {
   OutQueue queue(100);
   int lost = 0;
-  queue.put_frame({1}, [&](bool ok) { lost += ok ? 0 : 1; });
+  queue.put_frame(0, {1}, [&](bool ok) { lost += ok ? 0 : 1; });
   queue.put_still({1}, [&](bool ok) { lost += ok ? 0 : 1; });
   EXPECT_TRUE(queue.put_text("text"));
   queue.abandon();

@@ -151,14 +151,16 @@ Server::Hooks TestServer::hooks(const SessionSettings& session) {
                       .trouble = [this] { return in_trouble ? "no GPU" : ""; }},
           .make_session = [this, session](std::shared_ptr<Strand> strand, ClientSink& client) {
             if (refuse_sessions) throw std::bad_alloc();
-            const std::uint64_t view = next_view_.fetch_add(2);
+            const std::uint64_t view = next_view_.fetch_add(6);
             return std::make_unique<Session>(
                 SessionEnds{.strand = std::move(strand),
                             .frames = frames,
                             .volumes = library,
                             .client = client,
-                            .live_view = view,
-                            .still_view = view + 1,
+                            .live_views = {view, view + 1, view + 2, view + 3},
+                            .still_view = view + 4,
+                            .preview_view = view + 5,
+                            .previews = previews,
                             .capabilities =
                                 std::make_shared<const std::string>(R"({"type":"capabilities"})")},
                 session);

@@ -86,6 +86,7 @@ class TestServer {
  public:
   ThreadedFrames frames;
   ThreadedLibrary library;
+  PreviewCache previews;
   std::atomic<bool> in_trouble{false};
   std::atomic<bool> refuse_sessions{false};
 

@@ -16,7 +16,8 @@ void expect_valid(const Json& message) {
 
 Json summary() {
   return Json::parse(R"({"id": "ball", "title": "Ball", "modality": "", "units": "none",
-      "size_voxels": [2, 2, 2], "spacing_mm": [1, 1, 1], "bounds_minimum_mm": [0, 0, 0],
+      "size_voxels": [2, 2, 2], "spacing_mm": [1, 1, 1], "origin_mm": [0, 0, 0],
+      "axes": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "bounds_minimum_mm": [0, 0, 0],
       "bounds_maximum_mm": [1, 1, 1], "diagonal_mm": 1.7, "value_range": [0, 1],
       "outer_iso_value": 0.2, "inner_iso_value": 0.6, "histogram": [4, 4], "warnings": []})");
 }
@@ -63,8 +64,8 @@ TEST(ClientMessage, ARefusedOneIsStillEchoed) {
 
 TEST(ClientMessage, AnUnderstoodOneIsEchoed) {
   EXPECT_EQ(echo_of(ClientMessage(SceneMessage{{3, 0.0}, {}, false})).input, 3U);
-  EXPECT_EQ(echo_of(ClientMessage(PickMessage{4, {}})).request, 4U);
-  EXPECT_EQ(echo_of(ClientMessage(AckMessage{5})).input, std::nullopt);
+  EXPECT_EQ(echo_of(ClientMessage(PickMessage{ViewKind::volume, 4, {}})).request, 4U);
+  EXPECT_EQ(echo_of(ClientMessage(AckMessage{ViewKind::volume, 5})).input, std::nullopt);
 }
 
 TEST(ServerMessage, EachFollowsTheSchema) {

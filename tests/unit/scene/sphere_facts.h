@@ -29,6 +29,11 @@ inline VolumeFacts ball_facts() {
   facts.bounds_minimum_mm = kBallCentre_mm - glm::dvec3(100.0, 80.0, 90.0);
   facts.bounds_maximum_mm = kBallCentre_mm + glm::dvec3(100.0, 80.0, 90.0);
   facts.diagonal_mm = glm::length(facts.bounds_maximum_mm - facts.bounds_minimum_mm);
+  facts.grid_centre_mm = kBallCentre_mm;
+  facts.grid_half_axes_mm = glm::dmat3(1.0);
+  for (int axis = 0; axis < 3; ++axis) facts.grid_half_axes_mm[axis][axis] = 100.0 - 10.0 * axis;
+  facts.window_centre = 40.0;
+  facts.window_width = 400.0;
   facts.minimum_value = -1000.0;
   facts.maximum_value = 2000.0;
   facts.outer_iso_value = -200.0;

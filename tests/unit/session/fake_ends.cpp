@@ -36,6 +36,8 @@ BallVolume::BallVolume(std::string id, double centre_value) : centre_value_(cent
   facts_.bounds_minimum_mm = glm::dvec3(-kHalfEdge);
   facts_.bounds_maximum_mm = glm::dvec3(kHalfEdge);
   facts_.diagonal_mm = glm::length(glm::dvec3(2.0 * kHalfEdge));
+  facts_.grid_half_axes_mm = glm::dmat3(kHalfEdge);
+  facts_.window_width = 400.0;
   facts_.minimum_value = centre_value - (std::sqrt(3.0) * kHalfEdge);
   facts_.maximum_value = centre_value;
   facts_.outer_iso_value = centre_value - 100.0;

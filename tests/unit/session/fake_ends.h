@@ -148,7 +148,8 @@ class FakeClient final : public ClientSink {
 
   void send_text(std::string message) override { texts.push_back(Json::parse(message)); }
   void send_latest_text(std::string message) override { send_text(std::move(message)); }
-  void send_frame(std::vector<std::uint8_t> message, std::function<void(bool)> done) override {
+  void send_frame(ViewKind /*view*/, std::vector<std::uint8_t> message,
+                  std::function<void(bool)> done) override {
     frames.push_back({decode_frame(message).header, std::move(done)});
   }
   void send_still(std::vector<std::uint8_t> message, std::function<void(bool)> done) override {

@@ -36,11 +36,12 @@ class FrameFlowTest : public ::testing::Test {
   std::shared_ptr<FakeStrand> strand = std::make_shared<FakeStrand>();
   FakeFrames frames;
   FakeClient client;
+  LinkLoad link;
   std::vector<Error> errors;
   SessionSettings settings;
-  std::unique_ptr<FrameFlow> flow =
-      std::make_unique<FrameFlow>(strand, frames, client, kView, settings,
-                                  [this](const Error& error) { errors.push_back(error); });
+  std::unique_ptr<FrameFlow> flow = std::make_unique<FrameFlow>(
+      strand, ViewEnds{frames, client, link, kView, ViewKind::volume}, settings,
+      [this](const Error& error) { errors.push_back(error); });
 };
 
 TEST_F(FrameFlowTest, SendsWhatItWasAskedToShow) {

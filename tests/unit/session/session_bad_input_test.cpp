@@ -163,9 +163,10 @@ TEST_F(SessionBadInputTest, AViewportOf100000Squared) {
 
 TEST_F(SessionBadInputTest, ASideOutOfRangeIsAnsweredWithTheSessionsOwnLimit) {
   settings.viewport_side_px = 1000;
+  settings.still_side_px = 2000;
   restart();
   show_ball();
-  for (const std::int64_t side : {0L, -1L, 1001L, 100'000L, 5'000'000'000L}) {
+  for (const std::int64_t side : {0L, -1L, 2001L, 100'000L, 5'000'000'000L}) {
     receive({{"type", "viewport"},
              {"input", 1},
              {"clock_ms", 1},
@@ -175,7 +176,7 @@ TEST_F(SessionBadInputTest, ASideOutOfRangeIsAnsweredWithTheSessionsOwnLimit) {
     EXPECT_EQ(error()["expected"], "1 to 1000 px");
     receive({{"type", "save_still"}, {"request", 3}, {"width_px", 5}, {"height_px", side}});
     expect_error("out-of-range", "/height_px");
-    EXPECT_EQ(error()["expected"], "1 to 1000 px");
+    EXPECT_EQ(error()["expected"], "1 to 2000 px");
     EXPECT_EQ(error()["received"], std::to_string(side));
   }
   for (const Json& side : {Json(1.5), Json("5"), Json()}) {
@@ -206,7 +207,7 @@ TEST_F(SessionBadInputTest, AViewportOverTheConfiguredLimits) {
   viewport(4096, 4096);
   expect_error("out-of-range", "/width_px");
   EXPECT_EQ(error()["expected"], "width_px times height_px at most 9437184");
-  receive({{"type", "save_still"}, {"request", 3}, {"width_px", 5000}, {"height_px", 10}});
+  receive({{"type", "save_still"}, {"request", 3}, {"width_px", 8193}, {"height_px", 10}});
   expect_error("out-of-range", "/width_px");
   EXPECT_EQ(error()["request"], 3);
   expect_unharmed();

@@ -25,9 +25,10 @@ class SessionFixture : public ::testing::Test {
                     .frames = frames,
                     .volumes = library,
                     .client = client,
-                    .live_view = 1,
+                    .live_views = {1, 4, 5, 6},
                     .still_view = 2,
                     .preview_view = 3,
+                    .previews = previews,
                     .capabilities = std::make_shared<const std::string>(
                         R"({"type":"capabilities","protocol":"cutaway.v1"})")},
         settings);
@@ -104,6 +105,7 @@ class SessionFixture : public ::testing::Test {
   std::shared_ptr<FakeStrand> strand = std::make_shared<FakeStrand>();
   FakeFrames frames;
   FakeLibrary library;
+  PreviewCache previews;
   FakeClient client;
   SessionSettings settings;
   std::uint32_t input = 0;

@@ -1,0 +1,21 @@
+// The error of a document whose fields are right each but make no sense together.
+#pragma once
+
+#include <string>
+
+#include "core/error.h"
+#include "scene/json_text.h"
+
+namespace cutaway {
+
+/// `field` as a JSON pointer into the scene.
+[[noreturn]] inline void refuse_scene(const std::string& field, const std::string& message,
+                                      const std::string& expected, const Json& received) {
+  throw Error({.code = "invalid-scene",
+               .message = message,
+               .field = field,
+               .expected = expected,
+               .received = json_text(received)});
+}
+
+}  // namespace cutaway
