@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/tiled_still.h"
 #include "core/log.h"
 #include "encode/jpeg.h"
 #include "encode/png.h"
@@ -84,7 +85,7 @@ FrameOutcome frame_of(const RenderOutcome& outcome) {
 FrameService::FrameService(const RendererSettings& settings, FindVolume find_volume)
     : find_volume_(std::move(find_volume)),
       encoders_(static_cast<std::size_t>(settings.encode_threads)),
-      renderer_(std::make_unique<RenderThread>(
+      renderer_(std::make_shared<RenderThread>(
           gl::ContextOptions{.require_gpu = settings.require_gpu}, settings.limits)) {}
 
 FrameService::~FrameService() {
@@ -105,9 +106,14 @@ RenderRequest FrameService::render_request(const FrameRequest& request) const {
 void FrameService::submit(FrameRequest request, Done done) {
   RenderRequest to_render = render_request(request);
   if (!to_render.volume) return end(volume_gone(request.scene->volume), std::move(done));
-  renderer_->submit({std::move(to_render), [this, done = std::move(done)](RenderOutcome outcome) {
-                       end(std::move(outcome), done);
-                     }});
+  const auto ended = [this, done = std::move(done)](RenderOutcome outcome) {
+    end(std::move(outcome), done);
+  };
+  if (TiledStill::is_due(to_render.settings.picture_size_px)) {
+    std::make_shared<TiledStill>(std::move(to_render), renderer_, encoders_, ended)->start();
+  } else {
+    renderer_->submit({std::move(to_render), ended});
+  }
 }
 
 // Posted, since a newer request may be replacing this one inside its own submit.

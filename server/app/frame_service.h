@@ -40,7 +40,8 @@ class FrameService : public FrameSource {
 
   FindVolume find_volume_;
   boost::asio::thread_pool encoders_;
-  std::unique_ptr<RenderThread> renderer_;
+  /// Shared with stills in tiles alone, which ask for the next one for as long as it is there.
+  std::shared_ptr<RenderThread> renderer_;
 };
 
 }  // namespace cutaway

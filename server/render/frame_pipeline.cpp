@@ -36,12 +36,13 @@ std::array<Look, kBranches> looks_of(const Scene& scene) {
 
 RayCastKey ray_cast_key(const Scene& scene, const GpuVolume& volume,
                         const RenderSettings& settings) {
-  RayCastKey key{.rays = view_rays(scene.camera, scene.viewport, volume.volume().geometry),
-                 .surfaces = {scene.context.surface, scene.focus.surface},
-                 .looks = {},
-                 .lens = region_of(scene.lens),
-                 .step_voxels = settings.step_voxels,
-                 .skip_empty_space = settings.skip_empty_space};
+  RayCastKey key{
+      .rays = in_tile(view_rays(scene.camera, scene.viewport, volume.volume().geometry), settings),
+      .surfaces = {scene.context.surface, scene.focus.surface},
+      .looks = {},
+      .lens = region_of(scene.lens),
+      .step_voxels = settings.step_voxels,
+      .skip_empty_space = settings.skip_empty_space};
   if (scene.context.surface.opacity < 1.0 || scene.focus.surface.opacity < 1.0)
     key.looks = looks_of(scene);
   return key;
@@ -96,6 +97,19 @@ FramePipeline::FramePipeline()
       slice_pass_(shaders_),
       convert_pass_(shaders_) {}
 
+int FramePipeline::tile_margin_px(const Scene& scene) {
+  // What a filter's small kernel and a region's margin read beside a pixel.
+  constexpr int kNeighbours_px = 4;
+  int margin_px = 0;
+  for (const Branch* branch : {&scene.context, &scene.focus}) {
+    int of_branch_px = 0;
+    for (const Module& filter : branch->filters)
+      of_branch_px += FilterPass::reach_px({.filter = filter}) + kNeighbours_px;
+    margin_px = std::max(margin_px, of_branch_px);
+  }
+  return margin_px;
+}
+
 FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& volume,
                               const RenderSettings& settings) {
   if (!view.buffers_ || !view.buffers_->fits(settings)) {
@@ -119,8 +133,7 @@ std::uint64_t FramePipeline::picture_of_volume(ViewState& view, const Scene& sce
       settings.skip_empty_space
           ? volume.occupied_part(scene.context.surface.band, scene.focus.surface.band)
           : volume.volume().geometry;
-  const Draft draft{view, *view.buffers_, settings,
-                    view_regions(scene, part, settings.picture_size_px), plan};
+  const Draft draft{view, *view.buffers_, settings, view_regions(scene, part, settings), plan};
   RayCastKey rays = ray_cast_key(scene, volume, settings);
   rays.entry_version = find_entries(draft, rays, volume);
   const std::uint64_t surface = cast_rays(draft, rays, volume);
@@ -140,7 +153,7 @@ std::uint64_t FramePipeline::picture_of_volume(ViewState& view, const Scene& sce
 std::uint64_t FramePipeline::picture_of_slice(ViewState& view, const Scene& scene,
                                               const GpuVolume& volume,
                                               const RenderSettings& settings, FramePlan& plan) {
-  const SliceKey key = slice_key(scene, volume, settings.supersampling);
+  const SliceKey key = slice_key(scene, volume, settings);
   const ViewBuffers& buffers = *view.buffers_;
   return view.slice_.schedule(key, plan,
                               {.name = "slice",

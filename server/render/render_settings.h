@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 namespace cutaway {
@@ -15,8 +16,16 @@ enum class PixelLayout { yuv420, yuv444, rgba };
 /// Each way. Shading has a program for each number.
 inline constexpr int kMostSupersampling = 4;
 
+/// Where a picture lies in a larger one of the scene's whole viewport.
+struct PictureTile {
+  glm::ivec2 begin_px{0};
+  glm::ivec2 whole_size_px{0};
+  bool operator==(const PictureTile&) const = default;
+};
+
 struct RenderSettings {
   glm::ivec2 picture_size_px{0};
+  std::optional<PictureTile> tile;  ///< else the picture is the whole viewport
   double resolution_scale =
       1.0;  ///< picture pixels per viewport pixel: filters' radii are in viewport pixels
   int supersampling = 1;         ///< rays a pixel each way, 1..kMostSupersampling
@@ -24,6 +33,10 @@ struct RenderSettings {
   bool skip_empty_space = true;  ///< off only to prove that it changes nothing
   PixelLayout layout = PixelLayout::rgba;
 };
+
+inline PictureTile tile_of(const RenderSettings& settings) {
+  return settings.tile.value_or(PictureTile{{0, 0}, settings.picture_size_px});
+}
 
 /// Rows top first, tightly packed.
 struct Pixels {

@@ -4,13 +4,13 @@
 
 namespace cutaway {
 
-SliceKey slice_key(const Scene& scene, const GpuVolume& volume, int supersampling) {
+SliceKey slice_key(const Scene& scene, const GpuVolume& volume, const RenderSettings& settings) {
   const VolumeGeometry& geometry = volume.volume().geometry;
   const Camera camera = slice_camera(scene, half_axes_mm(geometry));
   return {.volume = volume.identity(),
-          .rays = view_rays(camera, scene.viewport, geometry),
+          .rays = in_tile(view_rays(camera, scene.viewport, geometry), settings),
           .window = scene.slices.window,
-          .supersampling = supersampling};
+          .supersampling = settings.supersampling};
 }
 
 SlicePass::SlicePass(const gl::ShaderLibrary& shaders)

@@ -17,7 +17,7 @@ struct SliceKey {
   bool operator==(const SliceKey&) const = default;
 };
 
-SliceKey slice_key(const Scene& scene, const GpuVolume& volume, int supersampling);
+SliceKey slice_key(const Scene& scene, const GpuVolume& volume, const RenderSettings& settings);
 
 /// Values are interpolated linearly between voxel centres, and drawn by window and level (DICOM
 /// PS3.3 C.11.2.1.3.2, LINEAR_EXACT). Beside the volume the picture is black.

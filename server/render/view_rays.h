@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "gl/program.h"
+#include "render/render_settings.h"
 #include "scene/scene.h"
 #include "volume/geometry.h"
 
@@ -19,10 +20,15 @@ struct ViewRays {
   bool is_perspective;
   glm::mat3 patient_to_volume;
   glm::vec3 eye_in_volume;
+  glm::vec2 tile_centre{0.0F};
+  glm::vec2 tile_scale{1.0F};
   bool operator==(const ViewRays&) const = default;
 };
 
 ViewRays view_rays(const Camera& camera, Viewport viewport, const VolumeGeometry& geometry);
+
+/// The same for a part of the picture.
+ViewRays in_tile(ViewRays rays, const RenderSettings& settings);
 
 void set_view_rays(const gl::Program& program, const ViewRays& rays);
 

@@ -14,8 +14,8 @@ constexpr int kMarginPx = 2;
 /// it lies behind the eye.
 class Projection2D {
  public:
-  Projection2D(const Scene& scene, glm::ivec2 picture_size_px)
-      : scene_(scene), picture_size_px_(picture_size_px) {}
+  Projection2D(const Scene& scene, const RenderSettings& settings)
+      : scene_(scene), picture_size_px_(settings.picture_size_px), tile_(tile_of(settings)) {}
 
   gl::PixelRect box(glm::dvec3 middle_mm, const glm::dmat3& half_edges_mm) const {
     glm::dvec2 low(std::numeric_limits<double>::max());
@@ -33,16 +33,19 @@ class Projection2D {
  private:
   gl::PixelRect in_picture(glm::dvec2 low, glm::dvec2 high) const {
     const glm::dvec2 size(picture_size_px_);
-    const glm::dvec2 scale = size / glm::dvec2(scene_.viewport.width_px, scene_.viewport.height_px);
+    const glm::dvec2 begin(tile_.begin_px);
+    const glm::dvec2 scale = glm::dvec2(tile_.whole_size_px) /
+                             glm::dvec2(scene_.viewport.width_px, scene_.viewport.height_px);
     const auto inside = [&](glm::dvec2 at) {
       return glm::ivec2(glm::clamp(at, glm::dvec2(0.0), size));
     };
-    return {inside(glm::floor(low * scale) - double(kMarginPx)),
-            inside(glm::ceil(high * scale) + double(kMarginPx))};
+    return {inside(glm::floor(low * scale) - begin - double(kMarginPx)),
+            inside(glm::ceil(high * scale) - begin + double(kMarginPx))};
   }
 
   const Scene& scene_;
   glm::ivec2 picture_size_px_;
+  PictureTile tile_;
 };
 
 gl::PixelRect volume_region(const Projection2D& projection, const VolumeGeometry& geometry) {
@@ -80,8 +83,8 @@ std::vector<gl::PixelRect> parts_around(const gl::PixelRect& outer, const gl::Pi
 }
 
 ViewRegions view_regions(const Scene& scene, const VolumeGeometry& part,
-                         glm::ivec2 picture_size_px) {
-  const Projection2D projection(scene, picture_size_px);
+                         const RenderSettings& settings) {
+  const Projection2D projection(scene, settings);
   ViewRegions regions;
   regions.volume = volume_region(projection, part);
   regions.branches[kContext] = regions.volume;

@@ -19,7 +19,7 @@ struct ViewRegions {
 
 /// `part`: of the volume, beside which there is nothing to draw.
 ViewRegions view_regions(const Scene& scene, const VolumeGeometry& part,
-                         glm::ivec2 picture_size_px);
+                         const RenderSettings& settings);
 
 gl::PixelRect common_part(const gl::PixelRect& a, const gl::PixelRect& b);
 

@@ -42,7 +42,7 @@ class Views : public testing::Test {
   }
 
   ViewRegions regions(const Scene& scene) const {
-    return view_regions(scene, volume_->volume.geometry, kPicture);
+    return view_regions(scene, volume_->volume.geometry, {.picture_size_px = kPicture});
   }
 
   std::shared_ptr<const LoadedVolume> volume_;

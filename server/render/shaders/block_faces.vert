@@ -19,6 +19,7 @@ void main() {
   float depth_mm = dot(from_eye, view_forward);
   vec2 across = vec2(dot(from_eye, view_right) / dot(view_right, view_right),
                      -dot(from_eye, view_up) / dot(view_up, view_up));
+  across = (across - tile_centre * (is_perspective ? depth_mm : 1.0)) / tile_scale;
   gl_Position = is_perspective ? vec4(across, depth_mm - 2.0 * nearest_mm, depth_mm)
                                : vec4(across, 2.0 * depth_mm / farthest_mm - 1.0, 1.0);
 }

@@ -11,7 +11,8 @@ noperspective out vec3 toward_in_volume;
 // Row 0 of the picture is the upper row, and the lower one of the viewport.
 void put_corner() {
   vec2 corner = viewport_corner();
-  vec3 across = corner.x * view_right - corner.y * view_up;
+  vec2 in_picture = tile_centre + tile_scale * corner;
+  vec3 across = in_picture.x * view_right - in_picture.y * view_up;
   vec3 shift_mm = is_perspective ? vec3(0.0) : across;
   from_mm = eye_mm + shift_mm;
   toward_mm = view_forward + (is_perspective ? across : vec3(0.0));

@@ -1,0 +1,72 @@
+// A tile is the same pixels as that part of the whole picture.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "support/analytic_volumes.h"
+#include "support/gpu_harness.h"
+
+namespace cutaway::test {
+namespace {
+
+constexpr Viewport kViewport{230, 170};
+
+struct Case {
+  const char* name;
+  const char* scene;
+  ViewKind kind = ViewKind::volume;
+};
+
+class Tiles : public testing::TestWithParam<Case> {};
+
+/// The largest difference of a channel between the tile's inner pixels and the whole picture's.
+int largest_difference(const BytePicture& whole, const BytePicture& tile, glm::ivec2 begin_px,
+                       int margin_px) {
+  int largest = 0;
+  for (int y = margin_px; y < tile.size_px.y - margin_px; ++y) {
+    for (int x = margin_px; x < tile.size_px.x - margin_px; ++x) {
+      const std::size_t here = 4 * (std::size_t(y) * tile.size_px.x + x);
+      const std::size_t there =
+          4 * (std::size_t(y + begin_px.y) * whole.size_px.x + x + begin_px.x);
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        largest = std::max(
+            largest, std::abs(int(tile.rgba[here + channel]) - int(whole.rgba[there + channel])));
+      }
+    }
+  }
+  return largest;
+}
+
+TEST_P(Tiles, AreThePictureThereOfTheWholeOne) {
+  const auto volume = load(shells_volume(centred_geometry(64)));
+  Viewport viewport = kViewport;
+  viewport.kind = GetParam().kind;
+  const Scene scene = scene_for(Json::parse(GetParam().scene), volume, viewport);
+  RenderSettings settings = settings_for(scene);
+  GpuHarness& gpu = GpuHarness::instance();
+  const BytePicture whole = gpu.render(scene, volume, settings);
+  const int margin_px = FramePipeline::tile_margin_px(scene);
+  for (const glm::ivec2 begin : {glm::ivec2(0, 0), {60, 35}, {110, 80}}) {
+    settings.picture_size_px = {120, 90};
+    settings.tile = PictureTile{begin, whole.size_px};
+    const BytePicture tile = gpu.render(scene, volume, settings);
+    // Rounding of the ray alone: a bit of a surface's position, a grey or two of its shade.
+    EXPECT_LE(largest_difference(whole, tile, begin, margin_px), 3);
+  }
+}
+
+std::string case_name(const testing::TestParamInfo<Case>& tested) { return tested.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(
+    OfEachKind, Tiles,
+    testing::Values(Case{"flagship", "{}"},
+                    Case{"orthographic", R"({"camera": {"projection": "orthographic"}})"},
+                    Case{"magic", R"({"lens": {"mode": "magic"}})"},
+                    Case{"wide_filter",
+                         R"({"context": {"filters": [{"name": "kuwahara", "radius": 5}]}})"},
+                    Case{"axial", "{}", ViewKind::axial}),
+    case_name);
+
+}  // namespace
+}  // namespace cutaway::test
