@@ -143,6 +143,7 @@ class Picture:
     """A binary message."""
 
     type: int
+    view: int
     still: bool
     lossless: bool
     number: int
@@ -160,7 +161,7 @@ class Picture:
     def parse(message):
         magic, version, kind, flags, _, header_bytes, view = struct.unpack_from("<IBBBBHH", message, 0)
         assert message[:4] == b"CTWF" and magic == 0x46575443
-        assert version == 1 and header_bytes >= 56 and view == 0
+        assert version == 1 and header_bytes >= 56 and view <= 3
         number, revision, last_input, clock_ms = struct.unpack_from("<IIId", message, 12)
         render_us, encode_us, width, height, viewport_width, viewport_height, size = struct.unpack_from(
             "<IIHHHHI", message, 32
@@ -168,7 +169,7 @@ class Picture:
         data = message[header_bytes:]
         assert len(data) == size, f"{size} bytes were announced and {len(data)} came"
         return Picture(
-            kind, bool(flags & 1), bool(flags & 2), number, revision, last_input, clock_ms, render_us, encode_us,
+            kind, view, bool(flags & 1), bool(flags & 2), number, revision, last_input, clock_ms, render_us, encode_us,
             width, height, (viewport_width, viewport_height), data,
         )  # fmt: skip
 
@@ -213,8 +214,8 @@ class Client:
     def scene(self, scene, replace=False):
         return self.send_input("scene", scene=scene, replace=replace)
 
-    def viewport(self, width_px, height_px):
-        return self.send_input("viewport", width_px=width_px, height_px=height_px)
+    def viewport(self, width_px, height_px, view=0):
+        return self.send_input("viewport", view=view, width_px=width_px, height_px=height_px)
 
     def receive(self, timeout_s=GENEROUS_S):
         """The next message as a dict or Picture, a frame acknowledged; None when none comes in time."""
@@ -229,7 +230,7 @@ class Client:
         picture = Picture.parse(payload)
         (self.frames if picture.type == 1 else self.stills).append(picture)
         if picture.type == 1 and self.acknowledging:
-            self.send(type="ack", frame=picture.number)
+            self.send(type="ack", view=picture.view, frame=picture.number)
         return picture
 
     def until(self, wanted, what):
@@ -249,13 +250,14 @@ class Client:
 
         return self.until(fits, f"a message '{type}' {fields}")
 
-    def frame(self, input=0, still=None):
-        """A live frame that shows this input or a later one."""
+    def frame(self, input=0, still=None, view=0):
+        """A live frame of the view that shows this input or a later one."""
 
         def fits(message):
             return (
                 isinstance(message, Picture)
                 and message.type == 1
+                and message.view == view
                 and message.input >= input
                 and (still is None or message.still == still)
             )
@@ -266,6 +268,12 @@ class Client:
         return self.until(
             lambda message: isinstance(message, Picture) and message.type == 2 and message.number == request,
             "the saved still",
+        )
+
+    def preview(self, request):
+        return self.until(
+            lambda message: isinstance(message, Picture) and message.type == 3 and message.number == request,
+            "the preview",
         )
 
     def open(self, volume, width_px=320, height_px=240):
