@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "app/tiled_still.h"
 #include "core/log.h"
 #include "encode/jpeg.h"
 #include "encode/png.h"
@@ -85,6 +84,7 @@ FrameOutcome frame_of(const RenderOutcome& outcome) {
 FrameService::FrameService(const RendererSettings& settings, FindVolume find_volume)
     : find_volume_(std::move(find_volume)),
       encoders_(static_cast<std::size_t>(settings.encode_threads)),
+      large_stills_(encoders_),
       renderer_(std::make_shared<RenderThread>(
           gl::ContextOptions{.require_gpu = settings.require_gpu}, settings.limits)) {}
 
@@ -110,7 +110,7 @@ void FrameService::submit(FrameRequest request, Done done) {
     end(std::move(outcome), done);
   };
   if (TiledStill::is_due(to_render.settings.picture_size_px)) {
-    std::make_shared<TiledStill>(std::move(to_render), renderer_, encoders_, ended)->start();
+    large_stills_.add(std::move(to_render), renderer_, ended);
   } else {
     renderer_->submit({std::move(to_render), ended});
   }
@@ -132,7 +132,10 @@ bool FrameService::renew(const FrameRequest& request) {
   return to_render.volume && renderer_->renew(to_render);
 }
 
-void FrameService::release(std::uint64_t view) { renderer_->release(view); }
+void FrameService::release(std::uint64_t view) {
+  large_stills_.release(view);
+  renderer_->release(view);
+}
 
 RendererDescription FrameService::describe() const {
   return {.name = renderer_->info().renderer, .software = renderer_->info().is_software};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/asio/post.hpp>
 #include <limits>
+#include <new>
 
 #include "render/frame_pipeline.h"
 
@@ -34,8 +35,18 @@ TiledStill::TiledStill(RenderRequest request, std::weak_ptr<RenderThread> render
       margin_px_(FramePipeline::tile_margin_px(*request_.scene)),
       renderer_(std::move(renderer)),
       pool_(pool),
-      done_(std::move(done)),
-      picture_(kBytesAPixel * static_cast<std::size_t>(size_px_.x) * size_px_.y) {}
+      done_(std::move(done)) {}
+
+void TiledStill::start() {
+  try {
+    picture_.resize(kBytesAPixel * static_cast<std::size_t>(size_px_.x) * size_px_.y);
+  } catch (const std::bad_alloc&) {
+    return done_(Error({.code = "too-large",
+                        .message = "there is not enough memory for a still of this size",
+                        .field = "/width_px"}));
+  }
+  draw_next();
+}
 
 TiledStill::Part TiledStill::part(int index) const {
   const int columns = tiles_along(size_px_.x);

@@ -24,8 +24,8 @@ class TiledStill : public std::enable_shared_from_this<TiledStill> {
   TiledStill(RenderRequest request, std::weak_ptr<RenderThread> renderer,
              boost::asio::thread_pool& pool, Done done);
 
-  /// Asks for the first tile.
-  void start() { draw_next(); }
+  /// Asks for the first tile. Once.
+  void start();
 
  private:
   struct Part {

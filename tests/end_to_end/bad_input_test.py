@@ -43,6 +43,7 @@ class BadInputTest(ServedTest):
         limit = client.texts[0]["limits"]["viewport_side_px"]
         client.viewport(100_000, 100_000)
         self.assertEqual(self.refused(client, "out-of-range", "/width_px")["expected"], f"1 to {limit} px")
+        limit = client.texts[0]["limits"]["still_side_px"]
         client.send(type="save_still", request=5, width_px=64, height_px=limit + 1)
         self.assertEqual(self.refused(client, "out-of-range", "/height_px")["expected"], f"1 to {limit} px")
         client.send(type="ack", frame=2_147_483_700)
