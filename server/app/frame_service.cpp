@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/picture_tiles.h"
 #include "core/log.h"
 #include "encode/jpeg.h"
 #include "encode/png.h"
@@ -79,23 +80,33 @@ FrameOutcome frame_of(const RenderOutcome& outcome) {
   }
 }
 
+void hand_over(const RenderOutcome& outcome, const std::function<void(FrameOutcome)>& done) {
+  try {
+    done(frame_of(outcome));
+  } catch (const std::exception& failure) {
+    log().error("a frame was not taken: {}", failure.what());
+  }
+}
+
 }  // namespace
 
 FrameService::FrameService(const RendererSettings& settings, FindVolume find_volume)
     : find_volume_(std::move(find_volume)),
       encoders_(static_cast<std::size_t>(settings.encode_threads)),
-      large_stills_(encoders_),
-      renderer_(std::make_shared<RenderThread>(
-          gl::ContextOptions{.require_gpu = settings.require_gpu}, settings.limits)) {}
+      renderer_(std::make_unique<RenderThread>(
+          gl::ContextOptions{.require_gpu = settings.require_gpu}, settings.limits)),
+      large_stills_(std::make_unique<LargeStills>(*renderer_)) {}
 
 FrameService::~FrameService() {
   // The renderer first: what it still had waiting ends on the encoders' pool.
+  large_stills_.reset();
   renderer_.reset();
   encoders_.join();
 }
 
 RenderRequest FrameService::render_request(const FrameRequest& request) const {
   return {.view = request.view,
+          .share = request.share,
           .volume = find_volume_(request.scene->volume),
           .scene = request.scene,
           .settings = settings_for(request),
@@ -106,24 +117,22 @@ RenderRequest FrameService::render_request(const FrameRequest& request) const {
 void FrameService::submit(FrameRequest request, Done done) {
   RenderRequest to_render = render_request(request);
   if (!to_render.volume) return end(volume_gone(request.scene->volume), std::move(done));
-  const auto ended = [this, done = std::move(done)](RenderOutcome outcome) {
-    end(std::move(outcome), done);
-  };
-  if (TiledStill::is_due(to_render.settings.picture_size_px)) {
-    large_stills_.add(std::move(to_render), renderer_, ended);
-  } else {
-    renderer_->submit({std::move(to_render), ended});
+  if (PictureTiles::is_due(to_render.settings.picture_size_px)) {
+    // Compressed on the thread that made it, where it keeps no live frame waiting.
+    large_stills_->add(
+        std::move(to_render),
+        [done = std::move(done)](const RenderOutcome& outcome) { hand_over(outcome, done); });
+    return;
   }
+  renderer_->submit({std::move(to_render), [this, done = std::move(done)](RenderOutcome outcome) {
+                       end(std::move(outcome), done);
+                     }});
 }
 
 // Posted, since a newer request may be replacing this one inside its own submit.
 void FrameService::end(RenderOutcome outcome, Done done) {
   boost::asio::post(encoders_, [outcome = std::move(outcome), done = std::move(done)] {
-    try {
-      done(frame_of(outcome));
-    } catch (const std::exception& failure) {
-      log().error("a frame was not taken: {}", failure.what());
-    }
+    hand_over(outcome, done);
   });
 }
 
@@ -133,7 +142,7 @@ bool FrameService::renew(const FrameRequest& request) {
 }
 
 void FrameService::release(std::uint64_t view) {
-  large_stills_.release(view);
+  large_stills_->release(view);
   renderer_->release(view);
 }
 

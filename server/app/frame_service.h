@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "app/config.h"
-#include "app/still_queue.h"
+#include "app/large_stills.h"
 #include "app/upload_target.h"
 #include "render/render_thread.h"
 #include "session/ends.h"
@@ -41,9 +41,8 @@ class FrameService : public FrameSource {
 
   FindVolume find_volume_;
   boost::asio::thread_pool encoders_;
-  StillQueue large_stills_;
-  /// Shared with stills in tiles alone, which ask for the next one for as long as it is there.
-  std::shared_ptr<RenderThread> renderer_;
+  std::unique_ptr<RenderThread> renderer_;
+  std::unique_ptr<LargeStills> large_stills_;  ///< of the renderer, and gone before it
 };
 
 }  // namespace cutaway

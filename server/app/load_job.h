@@ -1,6 +1,7 @@
 // One load and those who wait for it.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <list>
 #include <memory>
@@ -53,6 +54,11 @@ class LoadJob {
   const std::string& id() const { return id_; }
   std::stop_token stop() const { return stop_.get_token(); }
 
+  /// True for the first who asks: a job may wait in two places.
+  bool claim() { return !claimed_.exchange(true); }
+  /// It was put by, and is to be begun again.
+  void give_back() { claimed_ = false; }
+
   void join(const std::shared_ptr<LoadWaiter>& waiter) {
     const std::lock_guard lock(mutex_);
     waiters_.push_back(waiter);
@@ -84,6 +90,7 @@ class LoadJob {
   }
 
   std::string id_;
+  std::atomic<bool> claimed_ = false;
   std::stop_source stop_;
   std::mutex mutex_;
   std::list<std::shared_ptr<LoadWaiter>> waiters_;

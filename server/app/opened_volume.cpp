@@ -56,10 +56,18 @@ OpenedVolume::OpenedVolume(std::shared_ptr<const LoadedVolume> loaded)
       summary_(summary_of(*loaded_, facts_)) {}
 
 std::optional<double> OpenedVolume::value_at(glm::dvec3 position_mm) const {
+  return value_within(position_mm, kEdge);
+}
+
+std::optional<double> OpenedVolume::value_to_the_faces(glm::dvec3 position_mm) const {
+  return value_within(position_mm, 0.5 + kEdge);
+}
+
+std::optional<double> OpenedVolume::value_within(glm::dvec3 position_mm, double beyond) const {
   const glm::dvec3 index(patient_to_index_ * glm::dvec4(position_mm, 1.0));
   const glm::dvec3 last(loaded_->volume.geometry.size_voxels - 1);
-  const bool inside = glm::all(glm::greaterThanEqual(index, glm::dvec3(-kEdge))) &&
-                      glm::all(glm::lessThanEqual(index, last + kEdge));
+  const bool inside = glm::all(glm::greaterThanEqual(index, glm::dvec3(-beyond))) &&
+                      glm::all(glm::lessThanEqual(index, last + beyond));
   if (!inside) return std::nullopt;
   return sample(loaded_->volume, index);
 }

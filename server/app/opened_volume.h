@@ -18,10 +18,14 @@ class OpenedVolume final : public OpenVolume {
   const std::string& units() const override { return loaded_->volume.description.units; }
   const Json& summary() const override { return summary_; }
   std::optional<double> value_at(glm::dvec3 position_mm) const override;
+  std::optional<double> value_to_the_faces(glm::dvec3 position_mm) const override;
 
   const std::shared_ptr<const LoadedVolume>& loaded() const { return loaded_; }
 
  private:
+  /// `beyond`: the outermost centres, voxels.
+  std::optional<double> value_within(glm::dvec3 position_mm, double beyond) const;
+
   std::shared_ptr<const LoadedVolume> loaded_;
   glm::dmat4 patient_to_index_;
   VolumeFacts facts_;

@@ -86,7 +86,9 @@ VolumeService::VolumeService(const VolumeSettings& settings, UploadTarget target
 
 VolumeService::~VolumeService() {
   pool_.stop();
+  preview_pool_.stop();
   pool_.join();
+  preview_pool_.join();
 }
 
 std::unique_ptr<OpenTicket> VolumeService::watch(std::function<void()> changed) {
@@ -105,7 +107,10 @@ void VolumeService::listing_changed() noexcept try {
     watches = watches_;
     jobs.swap(put_by_);
   }
-  for (const auto& job : jobs) begin(job);
+  for (const auto& job : jobs) {
+    job->give_back();
+    begin(job, pool_);
+  }
   for (const auto& each : watches) {
     if (const auto watch = each.lock()) watch->call();
   }
@@ -115,18 +120,31 @@ void VolumeService::listing_changed() noexcept try {
 
 std::unique_ptr<OpenTicket> VolumeService::open(const std::string& id, ProgressSink progress,
                                                 std::function<void(OpenOutcome)> done) {
-  auto waiter = std::make_shared<LoadWaiter>(std::move(progress), std::move(done));
+  return join(id, std::make_shared<LoadWaiter>(std::move(progress), std::move(done)), pool_);
+}
+
+std::unique_ptr<OpenTicket> VolumeService::open_for_preview(const std::string& id,
+                                                            std::function<void(OpenOutcome)> done) {
+  return join(id, std::make_shared<LoadWaiter>(nullptr, std::move(done)), preview_pool_);
+}
+
+// A job that waits behind others for a preview is begun at once when someone wants to see it.
+std::unique_ptr<OpenTicket> VolumeService::join(const std::string& id,
+                                                std::shared_ptr<LoadWaiter> waiter,
+                                                boost::asio::thread_pool& pool) {
   const std::lock_guard lock(mutex_);
   std::shared_ptr<LoadJob>& job = jobs_[id];
   const bool is_new = job == nullptr;
   if (is_new) job = std::make_shared<LoadJob>(id);
   job->join(waiter);
-  if (is_new) begin(job);
+  if (is_new || &pool == &pool_) begin(job, pool);
   return std::make_unique<LoadTicket>(*this, job, std::move(waiter));
 }
 
-void VolumeService::begin(const std::shared_ptr<LoadJob>& job) {
-  boost::asio::post(pool_, [this, job] { load(job); });
+void VolumeService::begin(const std::shared_ptr<LoadJob>& job, boost::asio::thread_pool& pool) {
+  boost::asio::post(pool, [this, job] {
+    if (job->claim()) load(job);
+  });
 }
 
 std::shared_ptr<const LoadedVolume> VolumeService::loaded(const std::string& id) {

@@ -37,6 +37,8 @@ class VolumeService final : public VolumeLibrary {
   std::unique_ptr<OpenTicket> watch(std::function<void()> changed) override;
   std::unique_ptr<OpenTicket> open(const std::string& id, ProgressSink progress,
                                    std::function<void(OpenOutcome)> done) override;
+  std::unique_ptr<OpenTicket> open_for_preview(const std::string& id,
+                                               std::function<void(OpenOutcome)> done) override;
 
   /// For the renderer; null where it is not loaded.
   std::shared_ptr<const LoadedVolume> loaded(const std::string& id);
@@ -45,7 +47,9 @@ class VolumeService final : public VolumeLibrary {
   friend class LoadTicket;
 
   void listing_changed() noexcept;
-  void begin(const std::shared_ptr<LoadJob>& job);
+  std::unique_ptr<OpenTicket> join(const std::string& id, std::shared_ptr<LoadWaiter> waiter,
+                                   boost::asio::thread_pool& pool);
+  void begin(const std::shared_ptr<LoadJob>& job, boost::asio::thread_pool& pool);
   void load(const std::shared_ptr<LoadJob>& job);
   /// Where the volume lies; nothing where the job is put by until the listing has changed.
   std::optional<CatalogueEntry> find(const std::shared_ptr<LoadJob>& job);
@@ -64,7 +68,8 @@ class VolumeService final : public VolumeLibrary {
   std::list<std::shared_ptr<LoadJob>> put_by_;  ///< of volumes that the scan has not found yet
   std::list<std::weak_ptr<ListingWatch>> watches_;
   boost::asio::thread_pool pool_;
-  VolumeCatalogue catalogue_;  ///< last: its thread calls listing_changed
+  boost::asio::thread_pool preview_pool_{1};  ///< one at a time, whoever wants them
+  VolumeCatalogue catalogue_;                 ///< last: its thread calls listing_changed
 };
 
 }  // namespace cutaway

@@ -94,6 +94,7 @@ VolumeDescription describe(const DicomGroup& group, const GridPlan& plan, const 
   description.format = "DICOM";
   description.modality = first.modality;
   description.units = is_hounsfield(first) ? "HU" : "none";
+  description.window = first.window;
   description.warnings = group.warnings;
   description.warnings.insert(description.warnings.end(), plan.warnings.begin(),
                               plan.warnings.end());

@@ -6,6 +6,7 @@
 #include <gdcmReader.h>
 #include <gdcmTrace.h>
 
+#include <cmath>
 #include <fstream>
 #include <mutex>
 
@@ -66,6 +67,18 @@ void require_grey_planes(const fs::path& file, const gdcm::DataSet& data) {
   }
 }
 
+/// The first of the windows that the file offers. Source: DICOM PS3.3, C.11.2.1.2.
+std::optional<ValueRange> window_of(const gdcm::DataSet& data) {
+  const auto centres = decimals_at(data, 0x0028, 0x1050);
+  const auto widths = decimals_at(data, 0x0028, 0x1051);
+  if (centres.empty() || widths.empty()) return std::nullopt;
+  const double half_width = 0.5 * widths.front();
+  const ValueRange window{centres.front() - half_width, centres.front() + half_width};
+  const bool is_usable = std::isfinite(window.minimum) && std::isfinite(window.maximum) &&
+                         window.maximum > window.minimum;
+  return is_usable ? std::optional(window) : std::nullopt;
+}
+
 /// What holds for all planes of the file, and the plane's own place where it has only one.
 DicomFrame common_frame(const fs::path& file, const gdcm::DataSet& data) {
   DicomFrame frame;
@@ -79,6 +92,7 @@ DicomFrame common_frame(const fs::path& file, const gdcm::DataSet& data) {
   frame.low_is_bright = text_at(data, 0x0028, 0x0004) == "MONOCHROME1";
   frame.component = component_of(file, data);
   frame.padding = pixel_padding(data);
+  frame.window = window_of(data);
   frame.size_px = {static_cast<int>(binary_at(data, 0x0028, 0x0011).value_or(0)),
                    static_cast<int>(binary_at(data, 0x0028, 0x0010).value_or(0))};
   return frame;

@@ -56,6 +56,7 @@ struct DicomFrame {
   double slope = 1.0;
   double intercept = 0.0;
   std::optional<PixelPadding> padding;
+  std::optional<ValueRange> window;  ///< physical values
   std::array<std::string, kPlaneKeys> keys;
 };
 

@@ -33,15 +33,27 @@ glm::dvec3 vector_from(const Json& json) {
 }
 
 Json to_json(const VolumeDescription& description) {
-  return {{"id", description.id},         {"title", description.title},
-          {"format", description.format}, {"modality", description.modality},
-          {"units", description.units},   {"warnings", description.warnings}};
+  Json json = {{"id", description.id},         {"title", description.title},
+               {"format", description.format}, {"modality", description.modality},
+               {"units", description.units},   {"warnings", description.warnings}};
+  if (description.window)
+    json["window"] = {description.window->minimum, description.window->maximum};
+  return json;
+}
+
+std::optional<ValueRange> window_from(const Json& description) {
+  if (!description.contains("window")) return std::nullopt;
+  const Json& window = description.at("window");
+  const ValueRange range{finite_number(window.at(0)), finite_number(window.at(1))};
+  if (!(range.maximum > range.minimum)) refuse_report("window");
+  return range;
 }
 
 VolumeDescription description_from(const Json& json) {
   return {json.at("id"),     json.at("title"),
           json.at("format"), json.at("modality"),
-          json.at("units"),  json.at("warnings").get<std::vector<std::string>>()};
+          json.at("units"),  json.at("warnings").get<std::vector<std::string>>(),
+          window_from(json)};
 }
 
 Json to_json(const VolumeGeometry& geometry) {

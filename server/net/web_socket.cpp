@@ -27,6 +27,10 @@ namespace {
 constexpr std::size_t kReadBytes = std::size_t{16} * 1024;
 constexpr std::chrono::milliseconds kBreath{20};  // no reading for so long after too many messages
 
+constexpr std::size_t kLargestPiece = std::size_t{4} << 20;
+/// What a client that takes a large message has to take of it.
+constexpr std::size_t kSlowestBytesPerSecond = std::size_t{128} << 10;
+
 asio::const_buffer buffer_of(const OutQueue::Message& message) {
   return std::visit([](const auto& content) -> asio::const_buffer { return asio::buffer(content); },
                     message.content);
@@ -60,7 +64,7 @@ asio::awaitable<bool> WebSocket::accept(HttpRequest request) {
     response.set(beast::http::field::sec_websocket_protocol, kSubprotocol);
   }));
   stream_.read_message_max(std::max(settings_.message_bytes, settings_.dropped_message_bytes));
-  stream_.auto_fragment(false);
+  stream_.write_buffer_bytes(kLargestPiece);
   error_code error;
   co_await stream_.async_accept(request, asio::redirect_error(asio::use_awaitable, error));
   co_return !error;
@@ -210,7 +214,9 @@ asio::awaitable<void> WebSocket::write_all() {
 asio::awaitable<bool> WebSocket::write(const OutQueue::Message& message) {
   error_code error;
   const asio::const_buffer buffer = buffer_of(message);
-  start_write_deadline();
+  start_write_deadline(buffer.size());
+  // In pieces, between which pings are answered: a still for print takes minutes on a slow link.
+  stream_.auto_fragment(buffer.size() > kLargestPiece);
   stream_.text(std::holds_alternative<std::string>(message.content));
   co_await stream_.async_write(buffer, asio::redirect_error(asio::use_awaitable, error));
   stop_write_deadline();
@@ -222,8 +228,9 @@ asio::awaitable<void> WebSocket::wait_for_messages() {
   co_await something_to_write_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
 }
 
-void WebSocket::start_write_deadline() {
-  write_deadline_.expires_after(settings_.write_timeout);
+void WebSocket::start_write_deadline(std::size_t bytes) {
+  const std::chrono::milliseconds for_its_size(1000 * bytes / kSlowestBytesPerSecond);
+  write_deadline_.expires_after(settings_.write_timeout + for_its_size);
   write_deadline_.async_wait(
       [self = shared_from_this(), setting = ++deadline_](const error_code& error) {
         if (error || setting != self->deadline_) return;

@@ -7,21 +7,21 @@
 
 namespace cutaway {
 
-/// The view that has had least is next, so that who asks for large pictures gets as much of the
-/// device as who asks for small ones, and not more. Who was away has no claim to what he did not
+/// Who has had least is next, so that who asks for large pictures gets as much of the device as who
+/// asks for small ones, and not more. Who was away has no claim to what he did not
 /// use. Not thread-safe.
 class FairShare {
  public:
-  /// Of the views that wait (in the order in which they began to), the one to serve. `waiting` is
+  /// Of those that wait (in the order in which they began to), the one to serve. `waiting` is
   /// not empty.
   std::uint64_t next(std::span<const std::uint64_t> waiting);
-  /// `view` was served at this cost.
-  void charge(std::uint64_t view, std::int64_t cost) { used_[view] += cost; }
-  void forget(std::uint64_t view) { used_.erase(view); }
+  /// `who` was served at this cost.
+  void charge(std::uint64_t who, std::int64_t cost) { used_[who] += cost; }
+  void forget(std::uint64_t who) { used_.erase(who); }
 
  private:
   std::map<std::uint64_t, std::int64_t> used_;
-  std::int64_t least_ = 0;  ///< what the view that was served last had had before
+  std::int64_t least_ = 0;  ///< what who was served last had had before
 };
 
 }  // namespace cutaway

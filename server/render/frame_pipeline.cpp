@@ -112,12 +112,14 @@ int FramePipeline::tile_margin_px(const Scene& scene) {
 
 FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& volume,
                               const RenderSettings& settings) {
-  if (!view.buffers_ || !view.buffers_->fits(settings)) {
+  const ViewKind kind = scene.viewport.kind;
+  if (!view.buffers_ || !view.buffers_->fits(settings) || view.kind_ != kind) {
     view = ViewState();
+    view.kind_ = kind;
     view.buffers_.emplace(settings.picture_size_px, settings.supersampling);
   }
   FramePlan plan(observer_);
-  const std::uint64_t picture = scene.viewport.kind == ViewKind::volume
+  const std::uint64_t picture = kind == ViewKind::volume
                                     ? picture_of_volume(view, scene, volume, settings, plan)
                                     : picture_of_slice(view, scene, volume, settings, plan);
   if (settings.layout != PixelLayout::rgba) convert(view, {picture, settings.layout}, plan);

@@ -53,6 +53,7 @@ class ViewState {
     std::deque<Stage<FilterKey>> filters;  ///< stay where they are while a plan refers to them
   };
   std::optional<ViewBuffers> buffers_;
+  ViewKind kind_ = ViewKind::volume;  ///< stages of another kind draw into the same picture
   Stage<EntryKey> entry_;
   Stage<RayCastKey> ray_cast_;
   std::array<Branch, kBranches> branches_;

@@ -68,13 +68,11 @@ class JobQueue {
     return {std::exchange(released_, {}), withdraw(view)};
   }
 
-  /// The views whose jobs wait, in the order in which they began to.
-  std::vector<std::uint64_t> waiting() const {
+  /// The jobs that wait, in the order in which they began to.
+  template <typename Look>
+  void for_each(const Look& look) const {
     const std::lock_guard lock(mutex_);
-    std::vector<std::uint64_t> views;
-    views.reserve(jobs_.size());
-    for (const Job& job : jobs_) views.push_back(job.view());
-    return views;
+    for (const Job& job : jobs_) look(job);
   }
 
   bool has(std::uint64_t view) const {

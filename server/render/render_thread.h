@@ -23,7 +23,8 @@
 namespace cutaway {
 
 struct RenderRequest {
-  std::uint64_t view = 0;  ///< names the buffers kept between its jobs
+  std::uint64_t view = 0;   ///< names the buffers kept between its jobs
+  std::uint64_t share = 0;  ///< views of one share have as much of the device together as another
   std::shared_ptr<const LoadedVolume> volume;
   std::shared_ptr<const Scene> scene;
   RenderSettings settings;

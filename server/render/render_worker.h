@@ -62,7 +62,15 @@ class RenderWorker {
   };
   using Place = std::list<Drawing>::iterator;
 
-  std::vector<std::uint64_t> views_that_wait(const JobQueue<RenderJob>& queue) const;
+  /// A view that waits for the device, and the share that it counts to.
+  struct Waiting {
+    std::uint64_t view;
+    std::uint64_t share;
+  };
+
+  std::vector<Waiting> views_that_wait(const JobQueue<RenderJob>& queue) const;
+  std::uint64_t next_view(const std::vector<Waiting>& waiting);
+  void charge(const RenderRequest& request, std::int64_t cost);
   Place find(std::uint64_t view);
   void release(std::uint64_t view);
   bool begin(RenderJob job);
@@ -81,7 +89,8 @@ class RenderWorker {
   FramePipeline pipeline_;
   ViewShelf views_;
   DeviceVolumes volumes_;
-  FairShare shares_;
+  FairShare shares_;               ///< of sessions
+  FairShare turns_;                ///< of views, among those of a session
   std::list<Drawing> drawing_;     ///< one a view, in the order in which they were begun
   std::deque<gl::Fence> steps_;    ///< that the device has not come to, oldest first
   std::deque<Pending> pending_;    ///< oldest first

@@ -1,5 +1,9 @@
 #include "render/slice_pass.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "scene/slice_geometry.h"
 
 namespace cutaway {
@@ -25,7 +29,9 @@ void SlicePass::run(const SliceKey& key, const GpuVolume& volume, const gl::Fram
   volume.set_uniforms(program_, 0);
   set_view_rays(program_, key.rays);
   program_.set("black", black);
-  program_.set("per_grey", 1.0F / (white - black));
+  // A window may be narrower than floats tell apart.
+  const float narrowest = std::max(std::abs(black), 1.0F) * std::numeric_limits<float>::epsilon();
+  program_.set("per_grey", 1.0F / std::max(white - black, narrowest));
   program_.set("supersampling", key.supersampling);
   target.bind(strip);
   triangle.draw();

@@ -37,7 +37,8 @@ enum class PictureEncoding { jpeg, png };
 /// a scene of its own viewport, so that the session's live view neither replaces it nor loses what
 /// is kept for it.
 struct FrameRequest {
-  std::uint64_t view = 0;  ///< names the state kept between frames
+  std::uint64_t view = 0;   ///< names the state kept between frames
+  std::uint64_t share = 0;  ///< the views of a session have one share of the renderer together
   std::uint32_t revision = 0;
   std::shared_ptr<const Scene> scene;
   FrameQuality quality;
@@ -59,6 +60,17 @@ struct Frame {
 struct FrameReplaced {};  ///< a newer request of the same view took its place before it began
 
 using FrameOutcome = std::variant<Frame, FrameReplaced, Error>;
+
+/// The renderer's names for a view and for its session.
+struct RenderView {
+  std::uint64_t view = 0;
+  std::uint64_t share = 0;
+};
+
+/// For a picture that was asked for once, and was replaced or released.
+inline Error picture_given_up() {
+  return Error({.code = "render-failed", .message = "the picture was given up by the renderer"});
+}
 
 /// What renders, for people: in `capabilities` and the log.
 struct RendererDescription {
@@ -96,6 +108,8 @@ class OpenVolume {
   virtual const Json& summary() const = 0;
   /// Physical value at a patient position (trilinear); nothing outside of the grid.
   virtual std::optional<double> value_at(glm::dvec3 position_mm) const = 0;
+  /// The same to the faces of the outermost voxels, half a voxel farther, where their value is it.
+  virtual std::optional<double> value_to_the_faces(glm::dvec3 position_mm) const = 0;
 };
 
 using OpenOutcome = std::variant<std::shared_ptr<const OpenVolume>, Error, Cancelled>;
@@ -118,6 +132,9 @@ class VolumeLibrary {
   virtual std::unique_ptr<OpenTicket> watch(std::function<void()> changed) = 0;
   virtual std::unique_ptr<OpenTicket> open(const std::string& id, ProgressSink progress,
                                            std::function<void(OpenOutcome)> done) = 0;
+  /// The same for a small picture of it: behind what anyone wants to see.
+  virtual std::unique_ptr<OpenTicket> open_for_preview(const std::string& id,
+                                                       std::function<void(OpenOutcome)> done) = 0;
 };
 
 /// Where a session's messages go: the WebSocket, or a test. Called on the session's strand only.

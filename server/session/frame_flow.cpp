@@ -47,12 +47,18 @@ void FrameFlow::show(SceneSnapshot snapshot) {
 
 void FrameFlow::hide() {
   newest_ = {};
+  for (const Sent& sent : std::exchange(sent_, {})) {
+    ends_.link.arrived(sent.bytes);
+    credits_.give_back();
+  }
+  if (last_number_ > 0) hidden_ = last_number_;
   pacer_.give_up();
   alarm_->clear();
   ends_.source.release(ends_.view);
 }
 
 void FrameFlow::acknowledge(std::uint32_t frame) {
+  if (hidden_ && at_or_before(frame, *hidden_)) return;
   check_awaited(frame);
   acknowledged_ = frame;
   while (!sent_.empty() && at_or_before(sent_.front().number, frame)) {
@@ -115,6 +121,7 @@ bool FrameFlow::ask(FrameKind kind) {
 
 FrameRequest FrameFlow::request(FrameKind kind) const {
   return {.view = ends_.view,
+          .share = ends_.share,
           .revision = newest_.revision,
           .scene = newest_.scene,
           .quality = kind == FrameKind::still ? quality_.still(newest_.scene->viewport)

@@ -28,8 +28,9 @@ struct SceneSnapshot {
 struct ViewEnds {
   FrameSource& source;
   ClientSink& sink;
-  LinkLoad& link;          ///< the session's; outlives the flow
-  std::uint64_t view = 0;  ///< the renderer's name for it
+  LinkLoad& link;           ///< the session's; outlives the flow
+  std::uint64_t view = 0;   ///< the renderer's name for it
+  std::uint64_t share = 0;  ///< and for the session
   ViewKind kind = ViewKind::volume;
 };
 
@@ -44,7 +45,8 @@ class FrameFlow {
   FrameFlow& operator=(const FrameFlow&) = delete;
 
   void show(SceneSnapshot snapshot);
-  /// Makes no more frames before the next show, and frees what the renderer keeps for the view.
+  /// Makes no more frames before the next show, and frees what the renderer keeps for the view. No
+  /// acknowledgement of what was sent is awaited any more; one that comes yet is fine.
   void hide();
   /// The newest scene has taken up another input that changed nothing in it.
   void restamp(InputStamp stamp) { newest_.stamp = stamp; }
@@ -91,6 +93,7 @@ class FrameFlow {
   std::uint64_t last_sent_id_ = 0;
   std::uint32_t last_number_ = 0;
   std::optional<std::uint32_t> acknowledged_;
+  std::optional<std::uint32_t> hidden_;  ///< the last frame before the view was hidden
   std::unique_ptr<Alarm> alarm_;
   Tether tether_;
 };

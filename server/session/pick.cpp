@@ -96,7 +96,7 @@ std::optional<SlicePoint> pick_on_slice(const Scene& scene, const OpenVolume& vo
                                         glm::dvec2 position_px) {
   const Camera camera = slice_camera(scene, volume.facts().grid_half_axes_mm);
   const glm::dvec3 position_mm = ray_through(camera, scene.viewport, position_px).origin_mm;
-  const auto value = volume.value_at(position_mm);
+  const auto value = volume.value_to_the_faces(position_mm);
   if (!value) return std::nullopt;
   return SlicePoint{position_mm, *value};
 }

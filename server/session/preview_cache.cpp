@@ -17,7 +17,7 @@ void PreviewCache::put(const std::string& key, std::shared_ptr<const Frame> fram
   if (std::ranges::find(entries_, key, &Entry::first) != entries_.end()) return;
   used_bytes_ += frame->picture.size();
   entries_.emplace_front(key, std::move(frame));
-  while (used_bytes_ > bytes_) {
+  while (used_bytes_ > bytes_ || entries_.size() > kMostPictures) {
     used_bytes_ -= entries_.back().second->picture.size();
     entries_.pop_back();
   }

@@ -12,7 +12,7 @@
 
 namespace cutaway {
 
-/// Thread-safe. The pictures that were not asked for for longest go first.
+/// Thread-safe. At most kMostPictures. The pictures that were not asked for for longest go first.
 class PreviewCache {
  public:
   explicit PreviewCache(std::size_t bytes = std::size_t{16} << 20) : bytes_(bytes) {}
@@ -22,6 +22,7 @@ class PreviewCache {
   void put(const std::string& key, std::shared_ptr<const Frame> frame);
 
  private:
+  static constexpr std::size_t kMostPictures = 512;
   using Entry = std::pair<std::string, std::shared_ptr<const Frame>>;
 
   std::size_t bytes_;

@@ -18,14 +18,11 @@ FrameQuality preview_quality() {
   return quality;
 }
 
-Error given_up() {
-  return Error({.code = "render-failed", .message = "the preview was given up by the renderer"});
-}
-
-/// All that a picture of a whole volume depends on.
-std::string cache_key(const PreviewMessage& wish) {
-  return json_text(Json::array({wish.volume.value_or(""), wish.style.value_or(""), wish.scene,
-                                wish.width_px, wish.height_px}));
+/// All that a picture of a whole volume depends on; nothing where it is no one else's wish.
+std::optional<std::string> cache_key(const PreviewMessage& wish) {
+  if (!wish.volume || !wish.scene.empty()) return {};
+  return json_text(
+      Json::array({*wish.volume, wish.style.value_or(""), wish.width_px, wish.height_px}));
 }
 
 Viewport viewport_of(const PreviewMessage& wish) { return {wish.width_px, wish.height_px}; }
@@ -57,21 +54,21 @@ void PreviewMaker::make_next() {
 
 void PreviewMaker::begin(const PreviewMessage& wish) {
   if (!wish.volume) return render(wish);
-  if (const auto kept = ends_.cache.find(cache_key(wish))) return send(wish, {}, *kept);
+  const auto key = cache_key(wish);
+  if (const auto kept = key ? ends_.cache.find(*key) : nullptr) return send(wish, {}, *kept);
   open(wish);
 }
 
 void PreviewMaker::open(const PreviewMessage& wish) {
-  ticket_ = ends_.volumes.open(*wish.volume, {},
-                               tether_.bind<OpenOutcome>([this, wish](OpenOutcome outcome) {
-                                 opened(wish, std::move(outcome));
-                               }));
+  ticket_ = ends_.volumes.open_for_preview(
+      *wish.volume, tether_.bind<OpenOutcome>(
+                        [this, wish](OpenOutcome outcome) { opened(wish, std::move(outcome)); }));
 }
 
 void PreviewMaker::opened(const PreviewMessage& wish, OpenOutcome outcome) {
   ticket_.reset();
   if (const auto* error = std::get_if<Error>(&outcome)) return fail(wish, *error);
-  if (std::holds_alternative<Cancelled>(outcome)) return fail(wish, given_up());
+  if (std::holds_alternative<Cancelled>(outcome)) return fail(wish, picture_given_up());
   other_ = std::move(std::get<std::shared_ptr<const OpenVolume>>(outcome));
   render(wish);
 }
@@ -80,6 +77,7 @@ void PreviewMaker::render(const PreviewMessage& wish) {
   try {
     const SceneSnapshot shown = hooks_.scene(wish, other_.get());
     ends_.source.submit({.view = ends_.view,
+                         .share = ends_.share,
                          .revision = shown.revision,
                          .scene = shown.scene,
                          .quality = preview_quality()},
@@ -96,10 +94,10 @@ void PreviewMaker::came_back(const PreviewMessage& wish, const SceneSnapshot& sh
   auto* frame = std::get_if<Frame>(&outcome);
   if (frame == nullptr) {
     const auto* error = std::get_if<Error>(&outcome);
-    return fail(wish, error != nullptr ? *error : given_up());
+    return fail(wish, error != nullptr ? *error : picture_given_up());
   }
   const auto made = std::make_shared<const Frame>(std::move(*frame));
-  if (wish.volume) ends_.cache.put(cache_key(wish), made);
+  if (const auto key = cache_key(wish)) ends_.cache.put(*key, made);
   send(wish, shown.stamp, *made);
 }
 

@@ -24,6 +24,7 @@ class PreviewMaker {
     ClientSink& sink;
     PreviewCache& cache;
     std::uint64_t view = 0;
+    std::uint64_t share = 0;
   };
   struct Hooks {
     /// What the preview shows: of the other volume where there is one, else of the session's scene

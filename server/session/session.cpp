@@ -35,22 +35,13 @@ Session::Session(SessionEnds ends, const SessionSettings& settings)
       settings_(settings),
       message_rate_(settings.messages_per_second, settings.message_burst, ends_.strand->now()),
       refusal_rate_(kRefusalsPerSecond, 1.0, ends_.strand->now()),
-      stills_(ends_.strand, ends_.frames, ends_.client, ends_.still_view,
+      stills_(ends_.strand, ends_.frames, ends_.client,
+              {ends_.still_view, ends_.live_views.front()},
               [this](std::uint32_t request, const Error& error) {
                 refuse(error, {.input = {}, .request = request});
               }),
-      previews_({.strand = ends_.strand,
-                 .source = ends_.frames,
-                 .volumes = ends_.volumes,
-                 .sink = ends_.client,
-                 .cache = ends_.previews,
-                 .view = ends_.preview_view},
-                {.scene = [this](const PreviewMessage& wish,
-                                 const OpenVolume* other) { return preview_of(wish, other); },
-                 .failed =
-                     [this](std::uint32_t request, const Error& error) {
-                       refuse(error, {.input = {}, .request = request});
-                     }}),
+      previews_(preview_ends(ends_.preview_view), preview_hooks()),
+      volume_previews_(preview_ends(ends_.volume_preview_view), preview_hooks()),
       opening_(ends_.strand, ends_.volumes,
                {.progress =
                     [this](LoadStage stage, double fraction) {
@@ -64,10 +55,29 @@ Session::Session(SessionEnds ends, const SessionSettings& settings)
                            .sink = ends_.client,
                            .link = link_,
                            .view = ends_.live_views[view],
+                           .share = ends_.live_views.front(),
                            .kind = static_cast<ViewKind>(view)};
     flows_[view] = std::make_unique<FrameFlow>(ends_.strand, of_view, settings,
                                                [this](const Error& error) { refuse(error, {}); });
   }
+}
+
+PreviewMaker::Ends Session::preview_ends(std::uint64_t view) const {
+  return {.strand = ends_.strand,
+          .source = ends_.frames,
+          .volumes = ends_.volumes,
+          .sink = ends_.client,
+          .cache = ends_.previews,
+          .view = view,
+          .share = ends_.live_views.front()};
+}
+
+PreviewMaker::Hooks Session::preview_hooks() {
+  return {
+      .scene = [this](const PreviewMessage& wish,
+                      const OpenVolume* other) { return preview_of(wish, other); },
+      .failed = [this](std::uint32_t request,
+                       const Error& error) { refuse(error, {.input = {}, .request = request}); }};
 }
 
 void Session::start() {
@@ -116,7 +126,7 @@ Session::Reception Session::receive_text(std::string_view text) {
 
 // Paid for afterwards, since only then it is known whether the memory had the answer.
 void Session::pay_for_lens_searches() {
-  const int searches = state_.take_lens_searches();
+  const int searches = state_.take_lens_searches() + lenses_of_pictures_.take_searches();
   if (searches == 0) return;
   message_rate_.charge(ends_.strand->now(), searches * settings_.lens_search_messages);
 }
@@ -171,28 +181,30 @@ void Session::refuse(const Error& error, const MessageEcho& echo) {
 
 void Session::tell(const Json& message) { ends_.client.send_text(json_text(message)); }
 
-SceneSnapshot Session::preview_of(const PreviewMessage& wish, const OpenVolume* other) const {
-  const OpenVolume* volume = other;
-  Json document = Json::object();
-  if (other == nullptr) {
-    shown_scene();
-    volume = state_.volume().get();
-    document = state_.document();
-  }
+SceneSnapshot Session::preview_of(const PreviewMessage& wish, const OpenVolume* other) {
+  const bool is_own = other == nullptr;
+  if (is_own) shown_scene();
+  const OpenVolume& volume = is_own ? *state_.volume() : *other;
+  Json document = is_own ? state_.document() : Json::object();
   if (wish.style) document = changed_document(document, style(*wish.style).scene, false);
   document = changed_document(document, for_one_picture(wish.scene), false);
-  auto scene = std::make_shared<const Scene>(
-      resolve_scene(document, volume->facts(), {wish.width_px, wish.height_px}));
-  return {.scene = std::move(scene), .revision = state_.revision(), .stamp = stamp_};
+  Scene scene =
+      resolve_scene(document, volume.facts(), {wish.width_px, wish.height_px}, lenses_of_pictures_);
+  pay_for_lens_searches();
+  return {.scene = std::make_shared<const Scene>(std::move(scene)),
+          .revision = is_own ? state_.revision() : 0,
+          .stamp = is_own ? stamp_ : InputStamp{}};
 }
 
-SceneSnapshot Session::still_of(const SaveStillMessage& wish) const {
+SceneSnapshot Session::still_of(const SaveStillMessage& wish) {
   shown_scene(wish.view);
   const Json document = changed_document(state_.document(), for_one_picture(wish.scene), false);
-  auto scene = std::make_shared<Scene>(
-      resolve_scene(document, state_.volume()->facts(), shown_scene().viewport));
-  scene->viewport = {wish.width_px, wish.height_px, wish.view};
-  return {.scene = std::move(scene), .revision = state_.revision(), .stamp = stamp_};
+  Scene scene = resolve_scene(document, state_.volume()->facts(), shown_scene().viewport,
+                              lenses_of_pictures_);
+  scene.viewport = {wish.width_px, wish.height_px, wish.view};
+  return {.scene = std::make_shared<const Scene>(std::move(scene)),
+          .revision = state_.revision(),
+          .stamp = stamp_};
 }
 
 SceneSnapshot Session::snapshot(ViewKind view) const {

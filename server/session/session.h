@@ -30,6 +30,7 @@ struct SessionEnds {
   std::array<std::uint64_t, kViews> live_views{};   ///< of no other session
   std::uint64_t still_view = 0;                     ///< likewise, nor one of these
   std::uint64_t preview_view = 0;                   ///< likewise
+  std::uint64_t volume_preview_view = 0;            ///< likewise
   PreviewCache& previews;                           ///< shared by all sessions
   std::shared_ptr<const std::string> capabilities;  ///< the message, ready to send
 };
@@ -77,6 +78,8 @@ class Session {
   void stop_opening();
   void took_effect(SceneState::Change change, InputStamp stamp);
 
+  PreviewMaker::Ends preview_ends(std::uint64_t view) const;
+  PreviewMaker::Hooks preview_hooks();
   FrameFlow& flow(ViewKind view) { return *flows_[static_cast<std::size_t>(view)]; }
   const Scene& shown_scene(ViewKind view = ViewKind::volume) const;
   void check_pixels(int width_px, int height_px) const;
@@ -86,8 +89,8 @@ class Session {
   void tell(const Json& message);
   void refuse(const Error& error, const MessageEcho& echo);
   SceneSnapshot snapshot(ViewKind view) const;
-  SceneSnapshot still_of(const SaveStillMessage& wish) const;
-  SceneSnapshot preview_of(const PreviewMessage& wish, const OpenVolume* other) const;
+  SceneSnapshot still_of(const SaveStillMessage& wish);
+  SceneSnapshot preview_of(const PreviewMessage& wish, const OpenVolume* other);
 
   SessionEnds ends_;
   SessionSettings settings_;
@@ -98,7 +101,9 @@ class Session {
   LinkLoad link_;
   std::array<std::unique_ptr<FrameFlow>, kViews> flows_;
   StillSaver stills_;
-  PreviewMaker previews_;
+  PreviewMaker previews_;          ///< of the session's scene
+  PreviewMaker volume_previews_;   ///< of other volumes, which take long to open
+  LensMemory lenses_of_pictures_;  ///< of scenes that are not taken up
   VolumeOpening opening_;
   std::optional<Pending> pending_;
   std::optional<TimePoint> scene_told_at_;

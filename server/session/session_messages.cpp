@@ -14,7 +14,7 @@ namespace {
 Error no_volume() {
   return Error({.code = "no-volume",
                 .message = "no scene is shown yet",
-                .expected = "an open volume and a viewport first"});
+                .expected = "an open volume, and first a viewport of view 0 and of this one"});
 }
 
 std::optional<PickedPoint> picked_surface(const Scene& scene, const OpenVolume& volume,
@@ -104,13 +104,14 @@ void Session::handle(const CancelLoadMessage&) { stop_opening(); }
 void Session::handle(const AckMessage& message) { flow(message.view).acknowledge(message.frame); }
 
 void Session::handle(const SaveStillMessage& message) {
+  stills_.require_room();  // before a lens' place is looked for
   const SceneSnapshot still = still_of(message);
   stills_.save(message.request, still, still_quality(settings_, still.scene->viewport));
 }
 
 void Session::handle(const PreviewMessage& message) {
   if (message.style) style(*message.style);  // refused now where there is none
-  previews_.want(message);
+  (message.volume ? volume_previews_ : previews_).want(message);
 }
 
 const Scene& Session::shown_scene(ViewKind view) const {

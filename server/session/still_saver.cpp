@@ -4,30 +4,24 @@
 
 namespace cutaway {
 
-namespace {
-
-Error cancelled() {
-  return Error({.code = "render-failed", .message = "the still was given up by the renderer"});
-}
-
-}  // namespace
-
 StillSaver::StillSaver(std::shared_ptr<Strand> strand, FrameSource& source, ClientSink& sink,
-                       std::uint64_t view, std::function<void(std::uint32_t, const Error&)> failed)
+                       RenderView view, std::function<void(std::uint32_t, const Error&)> failed)
     : source_(source),
       sink_(sink),
       view_(view),
       failed_(std::move(failed)),
       tether_(std::move(strand)) {}
 
-StillSaver::~StillSaver() { source_.release(view_); }
+StillSaver::~StillSaver() { source_.release(view_.view); }
+
+void StillSaver::require_room() const {
+  if (!waiting_) return;
+  throw Error({.code = "rate-limited",
+               .message = "a still is being made and another one waits",
+               .expected = "the next save_still once one of the two came"});
+}
 
 void StillSaver::save(std::uint32_t request, SceneSnapshot snapshot, const FrameQuality& quality) {
-  if (waiting_) {
-    throw Error({.code = "rate-limited",
-                 .message = "a still is being made and another one waits",
-                 .expected = "the next save_still once one of the two came"});
-  }
   waiting_ = Waiting{request, std::move(snapshot), quality};
   if (!busy_) make_next();
 }
@@ -36,7 +30,8 @@ void StillSaver::make_next() {
   busy_ = waiting_.has_value();
   if (!waiting_) return;
   const Waiting next = *std::exchange(waiting_, std::nullopt);
-  source_.submit({.view = view_,
+  source_.submit({.view = view_.view,
+                  .share = view_.share,
                   .revision = next.shown.revision,
                   .scene = next.shown.scene,
                   .quality = next.quality,
@@ -49,14 +44,14 @@ void StillSaver::make_next() {
 
 void StillSaver::came_back(std::uint32_t request, const SceneSnapshot& shown,
                            FrameOutcome outcome) {
-  source_.release(view_);
+  source_.release(view_.view);
   if (auto* frame = std::get_if<Frame>(&outcome)) {
     sink_.send_still(saved_still_message(request, shown.stamp, shown.scene->viewport, *frame),
                      tether_.bind<bool>([this](bool) { make_next(); }));
     return;
   }
   const auto* error = std::get_if<Error>(&outcome);
-  failed_(request, error != nullptr ? *error : cancelled());
+  failed_(request, error != nullptr ? *error : picture_given_up());
   make_next();
 }
 

@@ -18,13 +18,15 @@ namespace cutaway {
 class StillSaver {
  public:
   /// `failed` hears of a still that could not be rendered, with its request.
-  StillSaver(std::shared_ptr<Strand> strand, FrameSource& source, ClientSink& sink,
-             std::uint64_t view, std::function<void(std::uint32_t, const Error&)> failed);
+  StillSaver(std::shared_ptr<Strand> strand, FrameSource& source, ClientSink& sink, RenderView view,
+             std::function<void(std::uint32_t, const Error&)> failed);
   ~StillSaver();
   StillSaver(const StillSaver&) = delete;
   StillSaver& operator=(const StillSaver&) = delete;
 
-  /// Of the snapshot's viewport. Throws Error while one waits already.
+  /// Throws Error while one waits already.
+  void require_room() const;
+  /// Of the snapshot's viewport. There is room for it.
   void save(std::uint32_t request, SceneSnapshot snapshot, const FrameQuality& quality);
 
  private:
@@ -39,7 +41,7 @@ class StillSaver {
 
   FrameSource& source_;
   ClientSink& sink_;
-  std::uint64_t view_;
+  RenderView view_;
   std::function<void(std::uint32_t, const Error&)> failed_;
   bool busy_ = false;  ///< until the still is written, so that one at most waits in the sink
   std::optional<Waiting> waiting_;

@@ -88,11 +88,12 @@ double quantile(const Histogram& histogram, double share) {
 }  // namespace
 
 ValueRange suggest_window(const VolumeDescription& description, const Histogram& histogram) {
+  if (description.window) return *description.window;
   if (description.units == "HU") return {-160.0, 240.0};
   const ValueRange usual{quantile(histogram, 0.01), quantile(histogram, 0.99)};
   if (usual.maximum > usual.minimum) return usual;
-  const double middle = usual.minimum;
-  return {middle - 0.5, middle + 0.5};
+  if (histogram.range.maximum > histogram.range.minimum) return histogram.range;
+  return {histogram.range.minimum - 0.5, histogram.range.minimum + 0.5};
 }
 
 }  // namespace cutaway

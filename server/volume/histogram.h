@@ -31,9 +31,9 @@ struct SuggestedSurfaces {
 SuggestedSurfaces suggest_surfaces(const VolumeDescription& description,
                                    const Histogram& histogram);
 
-/// The physical values from black to white by which a slice is drawn at first: CT in HU has the
-/// soft tissue's window, 40 +- 200; everything else what is left without the darkest and the
-/// brightest hundredth of the voxels.
+/// The physical values from black to white by which a slice is drawn at first: the file's own
+/// window; else CT in HU has the soft tissue's, 40 +- 200, and everything else what is left without
+/// the darkest and the brightest hundredth of the voxels.
 ValueRange suggest_window(const VolumeDescription& description, const Histogram& histogram);
 
 }  // namespace cutaway

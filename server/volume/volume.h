@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,6 +25,8 @@ struct VolumeDescription {
   std::string modality;  ///< DICOM's code ("CT", "MR"), or "" where the file does not say
   std::string units;     ///< "HU" or "none"
   std::vector<std::string> warnings;
+  /// From black to white, as the file wants to be seen; physical values.
+  std::optional<ValueRange> window = {};
 };
 
 /// Either 16-bit stored values or floats, i fastest, then j, then k.

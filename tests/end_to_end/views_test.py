@@ -64,6 +64,16 @@ class ViewsTest(ServedTest):
         client.send(type="save_still", request=3, width_px=2500, height_px=1100)
         self.assertEqual(png_size(client.saved(3).data), (2500, 1100))
 
+    def test_a_client_that_goes_leaves_its_large_still_to_nobody(self):
+        client = self.showing()
+        for request in (1, 2):
+            client.send(type="save_still", request=request, width_px=8000, height_px=6000)
+        client.frame(client.scene({"camera": {"eye_mm": [20, -500, 0]}}))
+        client.close()
+        other = self.showing()
+        other.send(type="save_still", request=3, width_px=2100, height_px=300)
+        self.assertEqual(png_size(other.saved(3).data), (2100, 300))
+
     def test_a_still_of_a_changed_scene_leaves_the_scene_alone(self):
         client = self.showing()
         for request, scene in ((1, {}), (2, {"lens": {"mode": "none"}}), (3, {})):

@@ -30,7 +30,9 @@ TEST(JobQueue, TellsWhoWaitsInTheirOrder) {
   queue.put({2, 0});
   queue.put({1, 0});
   queue.put({2, 1});
-  EXPECT_EQ(queue.waiting(), (std::vector<std::uint64_t>{2, 1}));
+  std::vector<std::uint64_t> waiting;
+  queue.for_each([&](const auto& job) { waiting.push_back(job.view()); });
+  EXPECT_EQ(waiting, (std::vector<std::uint64_t>{2, 1}));
   EXPECT_TRUE(queue.has(1));
   EXPECT_FALSE(queue.has(3));
 }

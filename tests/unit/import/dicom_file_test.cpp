@@ -72,6 +72,19 @@ TEST(Dicom, DescribesItselfWithoutThePatient) {
   EXPECT_EQ((description.title + description.id).find("Secret"), std::string::npos);
 }
 
+TEST(Dicom, TheFirstOfItsWindowsIsKept) {
+  const auto window_with = [](const char* centres, const char* widths) {
+    TemporaryFolder folder;
+    auto slices = with_text(ramp_series(3, {0, 0, 0}, {0, 0, 2}), {0x0028, 0x1050}, centres);
+    write_series(folder.path(), with_text(std::move(slices), {0x0028, 0x1051}, widths));
+    return read_only_volume(folder.path()).description.window;
+  };
+  EXPECT_EQ(window_with("50\\-600", "350\\1500"), (ValueRange{-125.0, 225.0}));
+  EXPECT_EQ(window_with("50", "0"), std::nullopt);
+  EXPECT_EQ(window_with("middle", "350"), std::nullopt);
+  EXPECT_EQ(window_with("", ""), std::nullopt);
+}
+
 TEST(Dicom, OtherModalitiesHaveNoHounsfieldUnits) {
   TemporaryFolder folder;
   DicomSlice like;

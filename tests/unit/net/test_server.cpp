@@ -25,6 +25,7 @@ class BrokenVolume final : public OpenVolume {
   const std::string& units() const override { throw std::bad_alloc(); }
   const Json& summary() const override { throw std::bad_alloc(); }
   std::optional<double> value_at(glm::dvec3) const override { return std::nullopt; }
+  std::optional<double> value_to_the_faces(glm::dvec3) const override { return std::nullopt; }
 };
 
 std::uint16_t port_of(const std::string& url) {
@@ -151,7 +152,7 @@ Server::Hooks TestServer::hooks(const SessionSettings& session) {
                       .trouble = [this] { return in_trouble ? "no GPU" : ""; }},
           .make_session = [this, session](std::shared_ptr<Strand> strand, ClientSink& client) {
             if (refuse_sessions) throw std::bad_alloc();
-            const std::uint64_t view = next_view_.fetch_add(6);
+            const std::uint64_t view = next_view_.fetch_add(7);
             return std::make_unique<Session>(
                 SessionEnds{.strand = std::move(strand),
                             .frames = frames,
@@ -160,6 +161,7 @@ Server::Hooks TestServer::hooks(const SessionSettings& session) {
                             .live_views = {view, view + 1, view + 2, view + 3},
                             .still_view = view + 4,
                             .preview_view = view + 5,
+                            .volume_preview_view = view + 6,
                             .previews = previews,
                             .capabilities =
                                 std::make_shared<const std::string>(R"({"type":"capabilities"})")},

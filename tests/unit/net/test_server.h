@@ -60,6 +60,10 @@ class ThreadedLibrary final : public VolumeLibrary {
   std::unique_ptr<OpenTicket> watch(std::function<void()> changed) override;
   std::unique_ptr<OpenTicket> open(const std::string& id, ProgressSink progress,
                                    std::function<void(OpenOutcome)> done) override;
+  std::unique_ptr<OpenTicket> open_for_preview(const std::string& id,
+                                               std::function<void(OpenOutcome)> done) override {
+    return open(id, {}, std::move(done));
+  }
 };
 
 NetSettings test_settings();
@@ -75,7 +79,7 @@ class TestServer {
   /// Returns once the server's run has.
   void stop();
   /// Live view of the n-th session, from 0.
-  static std::uint64_t view_of_session(int n) { return (2 * static_cast<std::uint64_t>(n)) + 1; }
+  static std::uint64_t view_of_session(int n) { return (7 * static_cast<std::uint64_t>(n)) + 1; }
 
  private:
   Server::Hooks hooks(const SessionSettings& session);

@@ -103,6 +103,9 @@ class BallVolume final : public OpenVolume {
   const std::string& units() const override { return units_; }
   const Json& summary() const override { return summary_; }
   std::optional<double> value_at(glm::dvec3 position_mm) const override;
+  std::optional<double> value_to_the_faces(glm::dvec3 position_mm) const override {
+    return value_at(position_mm);
+  }
 
  private:
   double centre_value_;
@@ -124,6 +127,11 @@ class FakeLibrary final : public VolumeLibrary {
   std::unique_ptr<OpenTicket> watch(std::function<void()> changed) override;
   std::unique_ptr<OpenTicket> open(const std::string& id, ProgressSink progress,
                                    std::function<void(OpenOutcome)> done) override;
+
+  std::unique_ptr<OpenTicket> open_for_preview(const std::string& id,
+                                               std::function<void(OpenOutcome)> done) override {
+    return open(id, {}, std::move(done));
+  }
 
   /// Ends the newest wish with a ball.
   void finish();

@@ -39,9 +39,9 @@ class FrameFlowTest : public ::testing::Test {
   LinkLoad link;
   std::vector<Error> errors;
   SessionSettings settings;
-  std::unique_ptr<FrameFlow> flow = std::make_unique<FrameFlow>(
-      strand, ViewEnds{frames, client, link, kView, ViewKind::volume}, settings,
-      [this](const Error& error) { errors.push_back(error); });
+  std::unique_ptr<FrameFlow> flow =
+      std::make_unique<FrameFlow>(strand, ViewEnds{frames, client, link, kView}, settings,
+                                  [this](const Error& error) { errors.push_back(error); });
 };
 
 TEST_F(FrameFlowTest, SendsWhatItWasAskedToShow) {

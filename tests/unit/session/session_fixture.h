@@ -28,6 +28,7 @@ class SessionFixture : public ::testing::Test {
                     .live_views = {1, 4, 5, 6},
                     .still_view = 2,
                     .preview_view = 3,
+                    .volume_preview_view = 7,
                     .previews = previews,
                     .capabilities = std::make_shared<const std::string>(
                         R"({"type":"capabilities","protocol":"cutaway.v1"})")},

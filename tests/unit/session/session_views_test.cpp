@@ -105,6 +105,37 @@ TEST_F(SessionViewsTest, AClosedViewGetsNoMoreFramesAndIsFreed) {
   EXPECT_EQ(views_sent(), (Views{2, 3}));
 }
 
+TEST_F(SessionViewsTest, AClosedViewHasItsCreditsBackThoughNobodyAcknowledges) {
+  show_slices();
+  for (int z = 1; z <= 2; ++z) {
+    scene({{"slices", {{"crosshair_mm", {0, 0, z}}}}});
+    frames.begin();
+    frames.finish();
+    strand->run();
+  }
+  receive({{"type", "close_view"}, {"view", 1}});
+  slice_viewport(1);
+  EXPECT_FALSE(frames.idle());
+  acknowledge(client.frames[0].header);  // on its way when the view was closed
+  EXPECT_TRUE(client.of_type("error").empty());
+}
+
+TEST_F(SessionViewsTest, APicturesLensIsPaidForWhereItHasToBeLookedFor) {
+  settings.lens_search_messages = 5000.0;
+  restart();
+  show_ball();
+  strand->advance(Milliseconds(60'000.0));  // in which the first lens is paid for
+  client.texts.clear();
+  const Json patch{{"lens", {{"centre_mm", nullptr}}}};
+  receive({{"type", "save_still"},
+           {"request", 8},
+           {"width_px", 60},
+           {"height_px", 50},
+           {"scene", patch}});
+  scene({{"lens", {{"radius_mm", 12.0}}}});
+  expect_error("rate-limited");
+}
+
 TEST_F(SessionViewsTest, AViewOpenedAgainGoesOnCounting) {
   show_slices();
   receive({{"type", "close_view"}, {"view", 1}});
@@ -212,6 +243,31 @@ TEST_F(SessionViewsTest, APictureOfAVolumeIsMadeOnceForAll) {
   EXPECT_EQ(library.wishes.size(), opened);
   ASSERT_EQ(client.stills.size(), 2);
   EXPECT_EQ(client.stills[1].header.frame, 5);
+  EXPECT_EQ(client.stills[1].header.revision, 0U) << "of no session's scene";
+}
+
+TEST_F(SessionViewsTest, AVolumeThatIsLongInComingKeepsNoStyleWaiting) {
+  show_ball();
+  receive(preview_of(4, "other"));
+  receive({{"type", "preview"},
+           {"request", 5},
+           {"style", "toon"},
+           {"width_px", 96},
+           {"height_px", 96}});
+  EXPECT_FALSE(frames.idle());
+}
+
+TEST(PreviewCache, KeepsWhatWasAskedForLast) {
+  PreviewCache cache(250);
+  const auto picture = [] {
+    return std::make_shared<const Frame>(Frame{.picture = std::vector<std::uint8_t>(100)});
+  };
+  cache.put("a", picture());
+  cache.put("b", picture());
+  EXPECT_NE(cache.find("a"), nullptr);
+  cache.put("c", picture());
+  EXPECT_EQ(cache.find("b"), nullptr);
+  EXPECT_NE(cache.find("a"), nullptr);
 }
 
 TEST_F(SessionViewsTest, APreviewOfAVolumeThatCannotBeOpenedIsAnsweredWithItsRequest) {

@@ -134,6 +134,24 @@ TEST(SuggestSurfaces, AreSkinAndBoneForCtInHounsfieldUnits) {
   EXPECT_EQ(surfaces.inner_iso_value, 250.0);
 }
 
+TEST(SuggestWindow, IsTheFilesOwnThenTheSoftTissuesThenTheHistograms) {
+  const Histogram histogram = mixture({0.0, 512.0}, 256, {{200.0, 20.0, 1.0}});
+  VolumeDescription description = described("CT", "HU");
+  EXPECT_EQ(suggest_window(description, histogram), (ValueRange{-160.0, 240.0}));
+  description.window = ValueRange{-50.0, 150.0};
+  EXPECT_EQ(suggest_window(description, histogram), (ValueRange{-50.0, 150.0}));
+  const ValueRange of_histogram = suggest_window(described("MR", "none"), histogram);
+  EXPECT_NEAR(of_histogram.minimum, 200.0 - 2.33 * 20.0, 5.0);
+  EXPECT_NEAR(of_histogram.maximum, 200.0 + 2.33 * 20.0, 5.0);
+}
+
+TEST(SuggestWindow, OfAConstantVolumeIsAroundIt) {
+  const Histogram histogram{.range = {7.0, 7.0}, .counts = {64}};
+  const ValueRange window = suggest_window(described("", "none"), histogram);
+  EXPECT_LT(window.minimum, 7.0);
+  EXPECT_GT(window.maximum, 7.0);
+}
+
 TEST(SuggestSurfaces, FollowTheHistogramForEverythingElse) {
   const std::vector<Mode> modes{{20.0, 10.0, 1.0}, {200.0, 20.0, 1.0}, {400.0, 20.0, 1.0}};
   const Histogram histogram = mixture({0.0, 512.0}, 256, modes);
