@@ -34,7 +34,7 @@ void OutQueue::put_frame(int view, std::vector<std::uint8_t> message, Done done)
 }
 
 void OutQueue::put_still(std::vector<std::uint8_t> message, Done done) {
-  stills_.push_back({std::move(message), std::move(done)});
+  stills_.push_back({std::move(message), std::move(done), true});
 }
 
 std::optional<OutQueue::Message> OutQueue::take() {

@@ -18,7 +18,8 @@ class OutQueue {
   using Done = std::function<void(bool)>;
   struct Message {
     std::variant<std::string, std::vector<std::uint8_t>> content;
-    Done done;  ///< empty for a text
+    Done done;              ///< empty for a text
+    bool is_still = false;  ///< or a preview: may be large, and is waited for
   };
 
   explicit OutQueue(std::size_t text_bytes) : text_bytes_(text_bytes) {}

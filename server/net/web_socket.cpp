@@ -214,7 +214,7 @@ asio::awaitable<void> WebSocket::write_all() {
 asio::awaitable<bool> WebSocket::write(const OutQueue::Message& message) {
   error_code error;
   const asio::const_buffer buffer = buffer_of(message);
-  start_write_deadline(buffer.size());
+  start_write_deadline(message.is_still ? buffer.size() : 0);
   // In pieces, between which pings are answered: a still for print takes minutes on a slow link.
   stream_.auto_fragment(buffer.size() > kLargestPiece);
   stream_.text(std::holds_alternative<std::string>(message.content));
@@ -228,8 +228,8 @@ asio::awaitable<void> WebSocket::wait_for_messages() {
   co_await something_to_write_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
 }
 
-void WebSocket::start_write_deadline(std::size_t bytes) {
-  const std::chrono::milliseconds for_its_size(1000 * bytes / kSlowestBytesPerSecond);
+void WebSocket::start_write_deadline(std::size_t still_bytes) {
+  const std::chrono::milliseconds for_its_size(1000 * still_bytes / kSlowestBytesPerSecond);
   write_deadline_.expires_after(settings_.write_timeout + for_its_size);
   write_deadline_.async_wait(
       [self = shared_from_this(), setting = ++deadline_](const error_code& error) {

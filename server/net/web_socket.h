@@ -65,7 +65,7 @@ class WebSocket final : public ClientSink, public std::enable_shared_from_this<W
   Session::Reception hand_to_session();
   void was_put(bool put);
   void begin_close(const boost::beast::websocket::close_reason& reason);
-  void start_write_deadline(std::size_t bytes);
+  void start_write_deadline(std::size_t still_bytes);
   void stop_write_deadline();
   void fail(const char* what);
   void end();
