@@ -22,9 +22,9 @@ struct NetSettings {
   int send_buffer_bytes = 0;  ///< the kernel's, of one connection; 0: as the kernel chooses
   std::chrono::milliseconds request_timeout{10'000};  ///< until a request has arrived whole
   std::chrono::milliseconds idle_timeout{30'000};     ///< WebSocket: without a word or a pong
-  std::chrono::milliseconds write_timeout{20'000};  ///< one message into the client's hands, and a
-                                                    ///< second more for each 128 KiB
-  std::chrono::milliseconds stop_timeout{2'000};    ///< for closing handshakes at the end
+  std::chrono::milliseconds write_timeout{20'000};    ///< one message into the client's hands; a
+                                                      ///< still has a second more each 128 KiB
+  std::chrono::milliseconds stop_timeout{2'000};      ///< for closing handshakes at the end
   /// "https://host:port", beside the server's own. On a loopback address also the hosts to which
   /// requests may be sent, such as that of a proxy's page.
   std::vector<std::string> allowed_origins;
