@@ -95,6 +95,7 @@ export const capabilities: CapabilitiesMessage = {
     viewport_side_px: 4096,
     still_side_px: 8192,
     viewport_pixels: 8388608,
+    still_side_px: 8192,
     frames_in_flight: 2,
   },
   modules: {
@@ -126,6 +127,12 @@ export const volume: VolumeSummary = {
   units: 'HU',
   size_voxels: [4, 4, 4],
   spacing_mm: [1, 1, 2],
+  origin_mm: [-2, -2, -4],
+  axes: [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
   bounds_minimum_mm: [-2, -2, -4],
   bounds_maximum_mm: [2, 2, 4],
   diagonal_mm: 90,

@@ -39,9 +39,9 @@ function place(...position_mm: Vector3): void {
   answer(...position_mm);
 }
 
-const press = (key: string, shiftKey = false): boolean => {
+const press = (key: string, shiftKey = false, altKey = false): boolean => {
   const preventDefault = vi.fn();
-  const event = { key, shiftKey, ctrlKey: false, metaKey: false, altKey: false, preventDefault };
+  const event = { key, shiftKey, altKey, ctrlKey: false, metaKey: false, preventDefault };
   applyKey(event as unknown as KeyboardEvent, harness.session, 2);
   return preventDefault.mock.calls.length > 0;
 };
@@ -176,6 +176,18 @@ describe('the keyboard', () => {
     place(2, 2, 2);
     press('Backspace');
     expect(harness.state.measure.draft?.points).toHaveLength(1);
+  });
+
+  it('turns and pans the view with Alt while a tool is in hand', () => {
+    press('m');
+    const before = harness.state.scene?.camera;
+    expect(press('ArrowRight', false, true)).toBe(true);
+    const turned = harness.state.scene?.camera;
+    expect(turned?.eye_mm).not.toEqual(before?.eye_mm);
+    expect(turned?.target_mm).toEqual(before?.target_mm);
+    press('ArrowRight', true, true);
+    expect(harness.state.scene?.camera?.target_mm).not.toEqual(before?.target_mm);
+    expect(harness.state.measure.candidate).toBeUndefined();
   });
 
   it('is the camera’s without a tool', () => {

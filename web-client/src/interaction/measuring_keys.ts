@@ -1,9 +1,12 @@
-// Keys of the measuring tools. With a tool in hand the arrows move its point, and not the camera.
+// Keys of the measuring tools. With a tool in hand the arrows move its point, and with Alt the camera:
+// what Alt does without a tool, panning, then takes Shift too.
 import type { Measuring } from '../session/measuring.ts';
 import type { MeasurementKind } from '../state/measurement.ts';
 import { ARROWS, type KeyBinding } from './key_binding.ts';
 
 const STEP_CSS_PIXELS = 12;
+/** As far as an arrow moves the camera without a tool. */
+const CAMERA_CSS_PIXELS = 24;
 
 /** `action` says whether the key meant anything now. */
 function onKey(names: string, action: (measuring: Measuring) => boolean): KeyBinding['apply'] {
@@ -29,11 +32,22 @@ const movePoint: KeyBinding['apply'] = (event, { measuring }, device_pixels) => 
   return true;
 };
 
+const moveCamera: KeyBinding['apply'] = (event, { measuring, commands }, device_pixels) => {
+  const direction = ARROWS[event.key];
+  if (!direction || !measuring.has_tool || !event.altKey || event.ctrlKey || event.metaKey)
+    return false;
+  const [dx_px, dy_px] = direction.map((part) => part * CAMERA_CSS_PIXELS * device_pixels);
+  if (event.shiftKey) commands.pan(dx_px ?? 0, dy_px ?? 0);
+  else commands.orbit(dx_px ?? 0, dy_px ?? 0);
+  return true;
+};
+
 const BINDINGS: readonly Omit<KeyBinding, 'group'>[] = [
   { keys: 'm', meaning: 'measure_distance', apply: takeTool('m', 'distance') },
   { keys: 'a', meaning: 'measure_angle', apply: takeTool('a', 'angle') },
   { keys: 'v', meaning: 'measure_probe', apply: takeTool('v', 'probe') },
   { keys: '(Shift +) ← ↑ → ↓', meaning: 'move_point', apply: movePoint },
+  { keys: 'Alt (+ Shift) + ← ↑ → ↓', meaning: 'rotate_with_tool', apply: moveCamera },
   { keys: 'Enter', meaning: 'place_point', apply: onKey('Enter Space', (m) => m.place()) },
   {
     keys: 'Backspace',

@@ -49,6 +49,7 @@ export const keys = {
     measure_angle: 'Measure an angle',
     measure_probe: 'Read value and position at a point',
     move_point: 'With a tool: move the point, with Shift finely',
+    rotate_with_tool: 'With a tool: rotate the view, with Shift pan',
     place_point: 'With a tool: place the point',
     take_back_point: 'With a tool: take back the last point',
     cancel_measuring: 'Give up the measurement, then the tool',

@@ -13,7 +13,7 @@ export const measure = {
     angle: ['Angle: choose the first point', 'Choose the vertex', 'Choose the last point'],
     probe: ['Probe: choose a point'],
   },
-  surface_hint: 'Click or tap the surface; drag to turn it',
+  surface_hint: 'Click or tap the surface; drag, or Alt and arrows, to turn it',
   nothing_there: 'No surface here',
   put_away: 'Put the tool away',
   take_back: 'Take back the last point',

@@ -46,6 +46,7 @@ export const keys: Words['keys'] = {
     measure_angle: 'Winkel messen',
     measure_probe: 'Wert und Lage an einem Punkt lesen',
     move_point: 'Mit Werkzeug: Punkt bewegen, mit Umschalt fein',
+    rotate_with_tool: 'Mit Werkzeug: Ansicht drehen, mit Umschalt verschieben',
     place_point: 'Mit Werkzeug: Punkt setzen',
     take_back_point: 'Mit Werkzeug: letzten Punkt zurücknehmen',
     cancel_measuring: 'Messung aufgeben, dann das Werkzeug',

@@ -14,7 +14,7 @@ export const measure: Words['measure'] = {
     angle: ['Winkel: ersten Punkt wählen', 'Scheitel wählen', 'Letzten Punkt wählen'],
     probe: ['Messpunkt: Punkt wählen'],
   },
-  surface_hint: 'Oberfläche anklicken oder antippen; Ziehen dreht',
+  surface_hint: 'Oberfläche anklicken oder antippen; Ziehen oder Alt mit Pfeilen dreht',
   nothing_there: 'Hier ist keine Oberfläche',
   put_away: 'Werkzeug weglegen',
   take_back: 'Letzten Punkt zurücknehmen',
