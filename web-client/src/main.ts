@@ -37,6 +37,7 @@ observeHeldPointer((pointer_held) => session.store.update({ pointer_held }));
 await keepSpeaking(session, document.documentElement, navigator.languages);
 sayLeftOut(session, fault);
 session.own_styling.restore();
+session.measured.restore();
 
 const app = new CutawayApp();
 app.session = session;

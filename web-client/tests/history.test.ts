@@ -199,7 +199,15 @@ describe('undo and redo', () => {
     harness.sent.length = 0;
     commands.resetGroup('focus');
     expect(harness.scenes()).toMatchObject([
-      { scene: { focus: { surface: null, filters: null, shading: { name: 'phong' } } } },
+      {
+        scene: {
+          focus: {
+            surface: { iso_value: null, upper_value: null, opacity: null },
+            filters: null,
+            shading: { name: 'phong' },
+          },
+        },
+      },
     ]);
     commands.undo();
     expect(scene().focus?.shading).toMatchObject({ name: 'tone', detail: 0.9 });

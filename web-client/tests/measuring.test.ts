@@ -14,6 +14,7 @@ beforeEach(async () => {
 
 const picks = () => harness.sent.filter((message) => message.type === 'pick');
 const list = () => measurementsOf(harness.state.measure, harness.state.volume);
+const measured = () => harness.session.measured;
 const measuring = () => harness.session.measuring;
 
 /** Answers the last pick. */
@@ -210,9 +211,9 @@ describe('what was measured', () => {
     answer(4, 5, 6);
     measuring().movePoint(id, 0, [30, 20]);
     answer();
-    measuring().rename(id, 'Apex');
+    measured().rename(id, 'Apex');
     expect(list()).toMatchObject([{ name: 'Apex', points: [{ position_mm: [4, 5, 6] }] }]);
-    measuring().remove(id);
+    measured().remove(id);
     expect(list()).toEqual([]);
     expect(harness.state.measure.selected).toBeUndefined();
   });
@@ -232,9 +233,68 @@ describe('what was measured', () => {
     expect(list()).toHaveLength(1);
   });
 
+  it('is there on the next visit, and counts on from there', async () => {
+    const again = new Harness('', Object.fromEntries(harness.kept));
+    again.session.measured.restore();
+    await again.connect();
+    again.say(sceneMessage);
+    harness = again;
+    expect(list()).toMatchObject([{ name: 'Probe 1', points: [{ position_mm: [1, 2, 3] }] }]);
+    measuring().take('probe');
+    place(4, 4, 4);
+    expect(new Set(list().map((one) => one.id)).size).toBe(2);
+  });
+
+  it('is put aside where it cannot be read', () => {
+    const kept = '{"version":1,"volumes":[["head",[{"name":"x","kind":"distance","points":[]}]]]}';
+    harness = new Harness('', { 'cutaway.measurements': kept });
+    measured().restore();
+    expect(harness.state.toasts).toMatchObject([
+      { title: 'Your saved measurements could not be read' },
+    ]);
+    expect(harness.kept.get('cutaway.measurements.unreadable')).toBe(kept);
+  });
+
+  it('lasts as long as the page where the browser keeps nothing', () => {
+    harness.kept.set = () => {
+      throw new Error('full');
+    };
+    place(5, 5, 5);
+    place(6, 6, 6);
+    expect(list()).toHaveLength(3);
+    expect(harness.state.toasts).toHaveLength(1);
+  });
+
+  const undo = (): void => harness.state.toasts.at(-1)?.action?.run();
+
+  it('comes back where it was once a deletion is undone', () => {
+    place(2, 2, 2);
+    measured().remove(id);
+    place(3, 3, 3);
+    undo();
+    expect(list().map(({ points }) => points[0]?.position_mm)).toEqual([
+      [1, 2, 3],
+      [2, 2, 2],
+      [3, 3, 3],
+    ]);
+    measured().removeAll();
+    expect(harness.kept.get('cutaway.measurements')).toBe('{"version":1,"volumes":[]}');
+    undo();
+    expect(list()).toHaveLength(3);
+  });
+
+  it('comes back to its volume although another was opened', () => {
+    measured().remove(id);
+    harness.say({ ...sceneMessage, revision: 2, volume: { ...volume, id: 'knee' } });
+    undo();
+    expect(list()).toEqual([]);
+    harness.say({ ...sceneMessage, revision: 3 });
+    expect(list()).toHaveLength(1);
+  });
+
   it('is saved as a file by the volume’s name', async () => {
-    measuring().exportAs('csv', 'Not for diagnostic use');
-    measuring().exportAs('json', 'Not for diagnostic use');
+    measured().exportAs('csv', 'Not for diagnostic use');
+    measured().exportAs('json', 'Not for diagnostic use');
     expect(harness.saved.map(([name]) => name)).toEqual([
       'cutaway Head measurements.csv',
       'cutaway Head measurements.json',

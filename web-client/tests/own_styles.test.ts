@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { mergePatch, type JsonObject } from '../src/state/merge_patch.ts';
 import { lookOf, ownStyle, retitled, withStyle } from '../src/state/own_styles.ts';
 import { StyleFileError, styleFileText, styleFromFile } from '../src/state/style_file.ts';
-import { sceneMessage } from './capabilities.ts';
+import { capabilities, sceneMessage } from './capabilities.ts';
 import { Harness } from './harness.ts';
 
 const scene = sceneMessage.scene as JsonObject;
@@ -106,6 +106,27 @@ describe('own styles in a session', () => {
       lens: { mode: 'cutaway' },
     });
     expect(harness.scenes().at(-1)?.scene).not.toHaveProperty('camera');
+  });
+
+  it('are what a group of the panel goes back to', () => {
+    harness.session.commands.set(['focus', 'surface', 'opacity'], 0.25);
+    styling().save('My look');
+    harness.session.commands.set(['focus', 'surface', 'opacity'], 0.75);
+    const [style] = harness.state.own_styles;
+    if (style) styling().apply(style);
+    harness.session.commands.resetGroup('focus');
+    expect(harness.scenes().at(-1)?.scene).toMatchObject({
+      focus: { surface: { iso_value: null, upper_value: null, opacity: 0.25 } },
+    });
+  });
+
+  it('are recognised in a scene that is opened', () => {
+    styling().save('My look');
+    const again = new Harness('', Object.fromEntries(harness.kept));
+    again.session.own_styling.restore();
+    again.session.store.update({ capabilities: { ...capabilities, styles: [] } });
+    again.say(sceneMessage);
+    expect(again.state.base_style?.title).toBe('My look');
   });
 
   it('are what several pages have saved', () => {

@@ -145,7 +145,7 @@ export class MeasureTab extends SessionElement {
   }
 
   private entry(one: Measurement) {
-    const { measuring } = this.session;
+    const { measuring, measured } = this.session;
     const { id, kind, name, points } = one;
     const chosen = this.state.measure.selected === id;
     const result = resultOf(one, this.state.volume?.units ?? 'none');
@@ -171,7 +171,7 @@ export class MeasureTab extends SessionElement {
         class="icon-button"
         aria-label=${words().measure.remove(name)}
         title=${words().measure.remove(name)}
-        @click=${() => measuring.remove(id)}
+        @click=${() => measured.remove(id)}
       >
         <wa-icon name="remove"></wa-icon>
       </button>
@@ -184,25 +184,25 @@ export class MeasureTab extends SessionElement {
   }
 
   private rename(id: number, input: HTMLInputElement): void {
-    this.session.measuring.rename(id, input.value);
+    this.session.measured.rename(id, input.value);
     this.requestUpdate();
   }
 
   private files(notice: string) {
-    const { measuring } = this.session;
+    const { measured } = this.session;
     const { as_csv, as_json, remove_all } = words().measure;
     const file = (format: 'csv' | 'json', label: string) =>
       html`<button
         class="text-button"
         aria-label=${label}
         title=${label}
-        @click=${() => measuring.exportAs(format, notice)}
+        @click=${() => measured.exportAs(format, notice)}
       >
         <wa-icon name="save"></wa-icon>${format.toUpperCase()}
       </button>`;
     return html`<div class="files">
         ${file('csv', as_csv)} ${file('json', as_json)}
-        <button class="text-button" @click=${() => measuring.removeAll()}>
+        <button class="text-button" @click=${() => measured.removeAll()}>
           <wa-icon name="remove"></wa-icon>${remove_all}
         </button>
       </div>

@@ -1,15 +1,22 @@
 // Messages at the lower edge of the picture. Notes go by themselves, problems stay until they are
 // read.
-import { css, html } from 'lit';
+import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { repeat } from 'lit/directives/repeat.js';
-import type { Toast } from '../state/viewer_state.ts';
+import type { Toast, ToastAction } from '../state/viewer_state.ts';
 import { shared } from '../styles/shared.ts';
 import { SessionElement } from './session_element.ts';
 import { words } from '../words/words.ts';
 
 const NOTE_MS = 4_000;
+/** Time to read it and to reach its button. */
+const ACTION_MS = 10_000;
 const PROBLEM_MS = 15_000;
+
+function lastsMs({ tone, action }: Toast): number {
+  if (tone === 'problem') return PROBLEM_MS;
+  return action ? ACTION_MS : NOTE_MS;
+}
 
 @customElement('cutaway-toast-stack')
 export class ToastStack extends SessionElement {
@@ -75,16 +82,14 @@ export class ToastStack extends SessionElement {
   }
 
   override updated(): void {
-    for (const { id, tone } of this.state.toasts) {
-      if (this.timers.has(id)) continue;
-      this.timers.set(
-        id,
-        setTimeout(() => this.session.toasts.dismiss(id), tone === 'note' ? NOTE_MS : PROBLEM_MS),
-      );
+    for (const toast of this.state.toasts) {
+      if (this.timers.has(toast.id)) continue;
+      const dismiss = (): void => this.session.toasts.dismiss(toast.id);
+      this.timers.set(toast.id, setTimeout(dismiss, lastsMs(toast)));
     }
   }
 
-  private toast({ id, tone, title, detail }: Toast) {
+  private toast({ id, tone, title, detail, action }: Toast) {
     return html`<div
       class="toast ${tone}"
       role=${tone === 'problem' ? 'alert' : 'status'}
@@ -92,6 +97,7 @@ export class ToastStack extends SessionElement {
     >
       <wa-icon class="mark" name=${tone === 'problem' ? 'warning' : 'check'}></wa-icon>
       <div class="text"><strong>${title}</strong><span class="quiet small">${detail}</span></div>
+      ${action ? this.action(id, action) : nothing}
       <button
         class="icon-button"
         aria-label=${words().page.dismiss}
@@ -100,5 +106,13 @@ export class ToastStack extends SessionElement {
         <wa-icon name="close"></wa-icon>
       </button>
     </div>`;
+  }
+
+  private action(id: number, { label, run }: ToastAction) {
+    const act = (): void => {
+      run();
+      this.session.toasts.dismiss(id);
+    };
+    return html`<button class="text-button" @click=${act}>${label}</button>`;
   }
 }

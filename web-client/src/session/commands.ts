@@ -117,16 +117,12 @@ export class Commands {
     this.store.update({ lens_follows });
   }
 
-  applyStyle(style: Style): void {
-    this.wear(style);
-    this.store.update({ base_style: style.name });
-  }
-
-  /** Also a style that is none of the server's. Returns the input number that puts it on. */
-  wear(style: Style): number | undefined {
+  /** The server's, or an own one. Returns the number of the input that puts it on. */
+  applyStyle(style: Style): number | undefined {
     const { capabilities } = this.store.state;
     if (!capabilities) return undefined;
     this.stepAtOnce();
+    this.store.update({ base_style: style });
     return this.link.sendPatch(stylePatch(style, capabilities.modules));
   }
 

@@ -1,34 +1,16 @@
-// What a user can do with the measuring tools. Points are found by the server; what they measure
-// is kept here, in the patient's millimetres.
-import {
-  extended,
-  freeName,
-  isWhole,
-  renamed,
-  without,
-  withPoint,
-  type Draft,
-  type MeasurementList,
-} from '../state/measurement_list.ts';
-import { fileName } from '../state/file_name.ts';
-import { measurementsCsv, measurementsJson } from '../state/measurement_export.ts';
+// What a user can do with the measuring tools. Points are found by the server.
+import { extended, isWhole, withPoint } from '../state/measurement_list.ts';
 import type { MeasurementKind } from '../state/measurement.ts';
-import {
-  measurementsOf,
-  toolInHand,
-  type Found,
-  type MeasureState,
-} from '../state/measure_state.ts';
+import { toolInHand, type Found, type MeasureState } from '../state/measure_state.ts';
 import type { Store } from '../state/store.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
 import type { Point } from '../view/camera.ts';
 import { PickFollower, type Pick, type Picker } from './picker.ts';
 import { words } from '../words/words.ts';
+import type { Measured } from './measured.ts';
 import type { Toasts } from './toasts.ts';
-import type { SaveFile } from './viewer_session.ts';
 
 export class Measuring {
-  private last_id = 0;
   private readonly hover: PickFollower;
   private readonly drag: PickFollower;
 
@@ -36,7 +18,7 @@ export class Measuring {
     private readonly store: Store<ViewerState>,
     private readonly picker: Picker,
     private readonly toasts: Toasts,
-    private readonly saveFile: SaveFile,
+    private readonly measured: Measured,
   ) {
     this.hover = new PickFollower(picker);
     this.drag = new PickFollower(picker);
@@ -119,36 +101,11 @@ export class Measuring {
     this.update({ selected: id });
   }
 
-  rename(id: number, name: string): void {
-    this.setList((list) => renamed(list, id, name));
-  }
-
-  remove(id: number): void {
-    this.setList((list) => without(list, id));
-    if (this.measure.selected === id) this.update({ selected: undefined });
-  }
-
-  removeAll(): void {
-    this.setList(() => []);
-    this.update({ selected: undefined });
-  }
-
   /** Over the surface; where there is none, the point stays where it is. */
   movePoint(id: number, index: number, position_px: Point): void {
     this.drag.follow(position_px, (pick) => {
-      if (pick) this.setList((list) => withPoint(list, id, index, pick));
+      if (pick) this.measured.change((list) => withPoint(list, id, index, pick));
     });
-  }
-
-  exportAs(format: 'json' | 'csv', notice: string): void {
-    const { volume } = this.store.state;
-    if (!volume) return;
-    const list = this.list;
-    const [text, type] =
-      format === 'json'
-        ? [measurementsJson(list, volume, notice), 'application/json']
-        : [measurementsCsv(list, volume, notice), 'text/csv;charset=utf-8'];
-    this.saveFile(fileName(words().measure.file(volume.title), format), new Blob([text], { type }));
   }
 
   get has_tool(): boolean {
@@ -157,10 +114,6 @@ export class Measuring {
 
   private get measure(): MeasureState {
     return this.store.state.measure;
-  }
-
-  private get list(): MeasurementList {
-    return measurementsOf(this.measure, this.store.state.volume);
   }
 
   private changed(state: ViewerState, before: ViewerState): void {
@@ -191,27 +144,9 @@ export class Measuring {
     const { draft } = this.measure;
     if (!draft) return;
     const more = extended(draft, { position_mm, value });
-    if (isWhole(more)) this.keep(more);
-    else this.update({ draft: more });
-  }
-
-  private keep({ kind, points }: Draft): void {
-    const { volume } = this.store.state;
-    if (!volume) return;
-    this.last_id += 1;
-    const id = this.last_id;
-    this.setList((list) => [
-      ...list,
-      { id, kind, points, name: freeName(words().measure.kinds[kind], list) },
-    ]);
-    this.update({ draft: { kind, points: [] }, selected: id });
-  }
-
-  private setList(change: (list: MeasurementList) => MeasurementList): void {
-    const { volume } = this.store.state;
-    if (!volume) return;
-    const by_volume = new Map(this.measure.by_volume).set(volume.id, change(this.list));
-    this.update({ by_volume });
+    if (!isWhole(more)) return this.update({ draft: more });
+    const selected = this.measured.add(more);
+    this.update({ draft: { ...more, points: [] }, selected });
   }
 
   private update(change: Partial<MeasureState>): void {

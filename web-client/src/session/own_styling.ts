@@ -60,8 +60,10 @@ export class OwnStyling {
   save(title: string): void {
     const { scene } = this.store.state;
     const clean = cleanTitle(title);
-    if (scene && clean)
-      this.change((styles) => withStyle(styles, ownStyle(clean, scene as JsonObject)));
+    if (!scene || !clean) return;
+    const style = ownStyle(clean, scene as JsonObject);
+    this.change((styles) => withStyle(styles, style));
+    this.store.update({ base_style: asStyle(style) });
   }
 
   rename(title: string, wanted: string): void {
@@ -74,7 +76,7 @@ export class OwnStyling {
 
   /** Returns the number of the input that does. */
   apply(style: OwnStyle): number | undefined {
-    return this.commands.wear(asStyle(style));
+    return this.commands.applyStyle(asStyle(style));
   }
 
   exportFile(style: OwnStyle): void {

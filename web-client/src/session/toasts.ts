@@ -1,6 +1,6 @@
 // Messages that come and go. The same one twice does not stack up.
 import type { Store } from '../state/store.ts';
-import type { Toast, ViewerState } from '../state/viewer_state.ts';
+import type { Toast, ToastAction, ViewerState } from '../state/viewer_state.ts';
 
 const MOST = 3;
 
@@ -13,21 +13,25 @@ export class Toasts {
     this.add('problem', title, detail);
   }
 
-  note(title: string, detail = ''): void {
-    this.add('note', title, detail);
+  /** `action` is a button in it. */
+  note(title: string, detail = '', action?: ToastAction): void {
+    this.add('note', title, detail, action);
   }
 
   dismiss(id: number): void {
     this.store.update({ toasts: this.store.state.toasts.filter((toast) => toast.id !== id) });
   }
 
-  private add(tone: Toast['tone'], title: string, detail: string): void {
+  private add(tone: Toast['tone'], title: string, detail: string, action?: ToastAction): void {
     this.last_id += 1;
     const others = this.store.state.toasts.filter(
       (toast) => toast.title !== title || toast.detail !== detail,
     );
     this.store.update({
-      toasts: [...others, { id: this.last_id, tone, title, detail }].slice(-MOST),
+      toasts: [
+        ...others,
+        { id: this.last_id, tone, title, detail, ...(action && { action }) },
+      ].slice(-MOST),
     });
   }
 }

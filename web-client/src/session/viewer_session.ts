@@ -2,6 +2,7 @@
 import { errorDetail, errorTitle } from '../state/error_text.ts';
 import { fileName } from '../state/file_name.ts';
 import { Store } from '../state/store.ts';
+import { asStyle } from '../state/own_styles.ts';
 import { matchingStyle } from '../state/style_patch.ts';
 import { INITIAL_STATE, type ViewerState } from '../state/viewer_state.ts';
 import { Counter } from '../protocol/counter.ts';
@@ -17,6 +18,7 @@ import { WorkerStream, type Stream } from '../stream/stream.ts';
 import type { FromWorker, LinkState, ShownFrame } from '../stream/worker_messages.ts';
 import { Commands } from './commands.ts';
 import { FrameRate } from './frame_rate.ts';
+import { Measured } from './measured.ts';
 import { Measuring } from './measuring.ts';
 import type { OpenStorage } from '../preferences/browser_storage.ts';
 import { OwnStyling } from './own_styling.ts';
@@ -57,6 +59,7 @@ export class ViewerSession {
   readonly toasts = new Toasts(this.store);
   readonly commands: Commands;
   readonly previews: StylePreviews;
+  readonly measured: Measured;
   readonly measuring: Measuring;
   readonly own_styling: OwnStyling;
   private readonly picker: Picker;
@@ -73,7 +76,8 @@ export class ViewerSession {
     const requests = new Counter();
     this.commands = new Commands(this.store, this.link, stream, requests, this.toasts);
     this.picker = new Picker(stream, requests, () => this.link.flush());
-    this.measuring = new Measuring(this.store, this.picker, this.toasts, parts.saveFile);
+    this.measured = new Measured(this.store, this.toasts, parts);
+    this.measuring = new Measuring(this.store, this.picker, this.toasts, this.measured);
     this.own_styling = new OwnStyling(this.store, this.commands, this.toasts, parts);
     this.previews = new StylePreviews(this.store, stream, requests);
     watchForStalls(this.store);
@@ -168,9 +172,10 @@ export class ViewerSession {
   }
 
   private findBaseStyle(): void {
-    const { scene, capabilities } = this.store.state;
-    const style = matchingStyle(scene, capabilities?.styles ?? []);
-    if (style) this.store.update({ base_style: style.name });
+    const { scene, capabilities, own_styles } = this.store.state;
+    const styles = [...(capabilities?.styles ?? []), ...own_styles.map(asStyle)];
+    const base_style = matchingStyle(scene, styles);
+    if (base_style) this.store.update({ base_style });
   }
 
   private onLoading(loading: LoadingMessage): void {

@@ -29,6 +29,14 @@ export function renamed(list: MeasurementList, id: number, name: string): Measur
 export const without = (list: MeasurementList, id: number): MeasurementList =>
   list.filter((one) => one.id !== id);
 
+/** With those again that were deleted from `before`, in the order of then. */
+export function withReturned(list: MeasurementList, before: MeasurementList): MeasurementList {
+  const now = new Map(list.map((one) => [one.id, one]));
+  const of_then = new Set(before.map(({ id }) => id));
+  const added = list.filter(({ id }) => !of_then.has(id));
+  return [...before.map((one) => now.get(one.id) ?? one), ...added];
+}
+
 /** A point that would fall on another of the same measurement stays where it is. */
 export function withPoint(
   list: MeasurementList,

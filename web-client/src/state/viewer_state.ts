@@ -4,6 +4,7 @@ import type {
   LoadingMessage,
   RefusedEntry,
   Scene,
+  Style,
   VolumeEntry,
   VolumeSummary,
 } from '../protocol/messages.ts';
@@ -14,11 +15,18 @@ import type { Viewport } from '../view/camera.ts';
 import { DEFAULT_PREFERENCES, type Preferences } from '../preferences/preferences.ts';
 import type { Language } from '../words/language.ts';
 
+export interface ToastAction {
+  readonly label: string;
+  readonly run: () => void;
+}
+
 export interface Toast {
   readonly id: number;
   readonly tone: 'problem' | 'note';
   readonly title: string;
   readonly detail: string;
+  /** What can be done about it. */
+  readonly action?: ToastAction;
 }
 
 export type PanelTab = 'volumes' | 'styles' | 'adjust' | 'measure' | 'view';
@@ -40,8 +48,8 @@ export interface ViewerState {
   readonly can_redo: boolean;
   /** The previous look is shown, for as long as a key or a button is held. */
   readonly comparing: boolean;
-  /** Name of the style that was put on last, or that the scene came with. */
-  readonly base_style: string | undefined;
+  /** The style, the server's or an own one, that was put on last, or that the scene came with. */
+  readonly base_style: Style | undefined;
   readonly volume: VolumeSummary | undefined;
   readonly viewport: Viewport | undefined;
   /** Number of the last input that went out. */

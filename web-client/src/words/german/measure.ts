@@ -14,7 +14,7 @@ export const measure: Words['measure'] = {
     angle: ['Winkel: ersten Punkt wählen', 'Scheitel wählen', 'Letzten Punkt wählen'],
     probe: ['Messpunkt: Punkt wählen'],
   },
-  surface_hint: 'Oberfläche anklicken oder antippen; Ziehen oder Alt mit Pfeilen dreht',
+  surface_hint: 'Oberfläche anklicken oder antippen; Ziehen dreht',
   nothing_there: 'Hier ist keine Oberfläche',
   put_away: 'Werkzeug weglegen',
   take_back: 'Letzten Punkt zurücknehmen',
@@ -26,6 +26,14 @@ export const measure: Words['measure'] = {
   show: (name) => `${name} im Bild auswählen`,
   remove: (name) => `${name} löschen`,
   remove_all: 'Alle löschen',
+  removed: (name) => `${name} wurde gelöscht`,
+  all_removed: 'Alle Messungen dieses Volumens wurden gelöscht',
+  unreadable: 'Ihre gespeicherten Messungen konnten nicht gelesen werden',
+  unreadable_detail:
+    'Sie sind beschädigt oder von einer anderen Version dieser Seite. Sie wurden beiseitegelegt, die Liste beginnt neu.',
+  not_kept: 'Der Browser bewahrt Ihre Messungen nicht auf',
+  not_kept_detail:
+    'Sein Speicher ist voll oder abgeschaltet. Sie bleiben, bis diese Seite geschlossen wird.',
   as_json: 'Als JSON speichern',
   as_csv: 'Als CSV speichern',
   point: (name, number) => `${name}, Punkt ${number}`,

@@ -1,0 +1,123 @@
+// What was measured, by volume, and what a user can do with it. It lives in the browser's storage.
+import {
+  freeName,
+  renamed,
+  without,
+  withReturned,
+  type Draft,
+  type MeasurementList,
+} from '../state/measurement_list.ts';
+import { fileName } from '../state/file_name.ts';
+import { measurementsCsv, measurementsJson } from '../state/measurement_export.ts';
+import { measurementsOf, type MeasureState } from '../state/measure_state.ts';
+import type { Store } from '../state/store.ts';
+import type { ViewerState } from '../state/viewer_state.ts';
+import { words } from '../words/words.ts';
+import { MeasurementStore } from './measurement_store.ts';
+import type { Toasts } from './toasts.ts';
+import type { PageParts } from './viewer_session.ts';
+
+export class Measured {
+  private last_id = 0;
+  private readonly kept: MeasurementStore;
+  /** Until the storage has refused to keep them; then they live in the page alone. */
+  private works = true;
+
+  constructor(
+    private readonly store: Store<ViewerState>,
+    private readonly toasts: Toasts,
+    private readonly page: PageParts,
+  ) {
+    this.kept = new MeasurementStore(page.openStorage);
+  }
+
+  /** What was measured on the visit before. Says so where it cannot be read. */
+  restore(): void {
+    const kept = this.kept.load();
+    const { unreadable, unreadable_detail } = words().measure;
+    if (!kept) return this.toasts.problem(unreadable, unreadable_detail);
+    const lists = [...kept].map(([volume, list]): [string, MeasurementList] => [
+      volume,
+      list.map((one) => ({ ...one, id: this.nextId() })),
+    ]);
+    this.update({ by_volume: new Map(lists) });
+  }
+
+  /** Of the volume that is open. */
+  get list(): MeasurementList {
+    const { measure, volume } = this.store.state;
+    return measurementsOf(measure, volume);
+  }
+
+  /** `draft` is whole. Returns the measurement's id. */
+  add({ kind, points }: Draft): number {
+    const id = this.nextId();
+    const name = freeName(words().measure.kinds[kind], this.list);
+    this.change((list) => [...list, { id, kind, points, name }]);
+    return id;
+  }
+
+  rename(id: number, name: string): void {
+    this.change((list) => renamed(list, id, name));
+  }
+
+  remove(id: number): void {
+    const name = this.list.find((one) => one.id === id)?.name ?? '';
+    this.removing(words().measure.removed(name), (list) => without(list, id));
+    if (this.store.state.measure.selected === id) this.update({ selected: undefined });
+  }
+
+  removeAll(): void {
+    this.removing(words().measure.all_removed, () => []);
+    this.update({ selected: undefined });
+  }
+
+  exportAs(format: 'json' | 'csv', notice: string): void {
+    const { volume } = this.store.state;
+    if (!volume) return;
+    const { list } = this;
+    const [text, type] =
+      format === 'json'
+        ? [measurementsJson(list, volume, notice), 'application/json']
+        : [measurementsCsv(list, volume, notice), 'text/csv;charset=utf-8'];
+    const name = fileName(words().measure.file(volume.title), format);
+    this.page.saveFile(name, new Blob([text], { type }));
+  }
+
+  /** Of the volume that is open. */
+  change(change: (list: MeasurementList) => MeasurementList): void {
+    const { volume } = this.store.state;
+    if (volume) this.setList(volume.id, change(this.list));
+  }
+
+  /** Says so, with a button that takes it back, also once another volume is open. */
+  private removing(said: string, change: (list: MeasurementList) => MeasurementList): void {
+    const { volume } = this.store.state;
+    if (!volume) return;
+    const before = this.list;
+    this.change(change);
+    const takeBack = (): void => {
+      const now = measurementsOf(this.store.state.measure, volume);
+      this.setList(volume.id, withReturned(now, before));
+    };
+    this.toasts.note(said, '', { label: words().page.bar.undo, run: takeBack });
+  }
+
+  private setList(volume: string, list: MeasurementList): void {
+    const { by_volume } = this.store.state.measure;
+    this.update({ by_volume: new Map(by_volume).set(volume, list) });
+    if (!this.works) return;
+    this.works = this.kept.save(volume, list);
+    const { not_kept, not_kept_detail } = words().measure;
+    if (!this.works) this.toasts.problem(not_kept, not_kept_detail);
+  }
+
+  private nextId(): number {
+    this.last_id += 1;
+    return this.last_id;
+  }
+
+  private update(change: Partial<MeasureState>): void {
+    this.store.update({ measure: { ...this.store.state.measure, ...change } });
+  }
+}
