@@ -185,19 +185,6 @@ describe('the picture', () => {
     expect(harness.state.shown_scene?.camera).toEqual(harness.state.scene?.camera);
     expect(harness.state.scene?.camera).not.toEqual(before);
   });
-
-  it('is saved under the volume’s name', () => {
-    harness.say(sceneMessage);
-    harness.session.commands.saveStill();
-    expect(harness.sent.at(-1)).toEqual({
-      type: 'save_still',
-      request: 1,
-      width_px: 800,
-      height_px: 600,
-    });
-    harness.emit({ kind: 'saved_still', request: 1, png: new Blob() });
-    expect(harness.saved[0]?.[0]).toBe('cutaway Head.png');
-  });
 });
 
 describe('a lost connection', () => {

@@ -38,6 +38,7 @@ export class MockSession {
       message_bytes: 65536,
       viewport_side_px: 4096,
       viewport_pixels: 9437184,
+      still_side_px: 8192,
       frames_in_flight: 2,
     };
     this.#send({
@@ -91,8 +92,8 @@ export class MockSession {
     }
     if (message.type === 'cancel_load') return this.#cancelLoad();
     if (message.type === 'save_still') {
-      const picture = this.#picture(this.#scene, message);
-      return this.#sendPicture({ type: 2, flags: 3 }, message, picture);
+      const scene = mergePatch(this.#scene, message.scene ?? {});
+      return this.#sendPicture({ type: 2, flags: 3 }, message, this.#picture(scene, message));
     }
     if (message.type === 'preview') return void setTimeout(() => this.#preview(message));
     if (input !== undefined) this.#input = { input, clock_ms };
@@ -236,21 +237,25 @@ export class MockSession {
     );
   }
 
-  #picture(scene, { width_px, height_px }) {
-    return drawScene(scene, this.#volume, width_px, height_px);
+  #picture(scene, { width_px, height_px }, volume = this.#volume) {
+    return drawScene(scene, volume, width_px, height_px);
   }
 
   #preview(message) {
     const style = styles.find(({ name }) => name === message.style);
+    const other = volumes.find(({ entry }) => entry.id === message.volume);
     if (!this.#scene)
       return this.#refuse({ code: 'no-volume', message: 'No volume is open' }, message);
-    if (!style)
+    if (message.style && !style)
       return this.#refuse(
         { code: 'unknown-style', message: 'There is no such style', field: '/style' },
         message,
       );
-    const scene = resolve(mergePatch(this.#document, style.scene), this.#volume, message);
-    this.#sendPicture({ type: 3, flags: 1 }, message, this.#picture(scene, message));
+    const look = mergePatch(style?.scene ?? {}, message.scene ?? {});
+    const document = mergePatch(other ? this.#look() : this.#document, look);
+    const volume = other ?? this.#volume;
+    const picture = this.#picture(resolve(document, volume, message), message, volume);
+    this.#sendPicture({ type: 3, flags: 1 }, message, picture);
   }
 
   /** One that was asked for, beside the live frames. */

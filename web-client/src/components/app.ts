@@ -5,6 +5,8 @@ import { customElement, property } from 'lit/decorators.js';
 import '@awesome.me/webawesome/dist/components/icon/icon.js';
 import { shared } from '../styles/shared.ts';
 import { linkReason } from '../state/link_reason.ts';
+import './export_chip.ts';
+import './export_dialog.ts';
 import './help_dialog.ts';
 import './panel.ts';
 import { SessionElement } from './session_element.ts';
@@ -61,6 +63,12 @@ export class CutawayApp extends SessionElement {
       :host([data-panel='closed']) aside {
         display: none;
       }
+      cutaway-export-chip {
+        grid-area: picture;
+        place-self: start center;
+        z-index: 9;
+        margin-top: 44px;
+      }
       cutaway-toast-stack {
         position: fixed;
         z-index: 10;
@@ -115,7 +123,9 @@ export class CutawayApp extends SessionElement {
         <cutaway-panel .session=${this.session}></cutaway-panel>
       </aside>
       <cutaway-toast-stack .session=${this.session}></cutaway-toast-stack>
+      <cutaway-export-chip .session=${this.session}></cutaway-export-chip>
       <cutaway-help-dialog .session=${this.session}></cutaway-help-dialog>
+      <cutaway-export-dialog .session=${this.session}></cutaway-export-dialog>
       <div class="visually-hidden" role="status">${this.announcement()}</div>
     `;
   }

@@ -101,16 +101,14 @@ export class TopBar extends SessionElement {
         }
         .brand span,
         .link span:last-child,
-        .panel-toggle,
-        .save {
+        .panel-toggle {
           position: absolute;
           width: 1px;
           height: 1px;
           overflow: hidden;
           clip-path: inset(50%);
         }
-        .panel-toggle,
-        .save {
+        .panel-toggle {
           display: none;
         }
         .volume {
@@ -145,7 +143,7 @@ export class TopBar extends SessionElement {
         ${this.followButton()} ${this.button('undo', bar.undo, () => commands.undo(), !can_undo)}
         ${this.button('redo', bar.redo, () => commands.redo(), !can_redo)}
         ${this.button('link', bar.copy_link, () => void this.copyLink(), !volume)}
-        ${this.button('save', bar.save_picture, () => commands.saveStill(), !shown, 'save')}
+        ${this.button('save', words().export.open, () => this.session.exporting.show(true), !shown)}
         ${this.button('help', bar.help, () => commands.toggleHelp(true))}
         ${this.button('panel', toggle, () => commands.togglePanel(), false, 'panel-toggle')}
       </nav>

@@ -1,5 +1,6 @@
 // What a key does, and where the help sheet lists it.
 import type { Commands } from '../session/commands.ts';
+import type { Exporting } from '../session/exporting.ts';
 import type { Measuring } from '../session/measuring.ts';
 import type { Words } from '../words/words.ts';
 
@@ -7,6 +8,7 @@ export type KeyGroup = keyof Words['keys']['groups'];
 
 export interface KeyTarget {
   readonly commands: Commands;
+  readonly exporting: Exporting;
   readonly measuring: Measuring;
 }
 

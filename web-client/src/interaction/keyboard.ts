@@ -1,6 +1,7 @@
 // Keys while the picture has the focus. The help sheet lists the same table.
 import type { Commands } from '../session/commands.ts';
 import { ARROWS, type KeyBinding, type KeyTarget } from './key_binding.ts';
+import { EXPORT_KEYS } from './export_keys.ts';
 import { MEASURING_KEYS } from './measuring_keys.ts';
 
 const TURN_CSS_PIXELS = 24;
@@ -124,6 +125,7 @@ export const KEY_BINDINGS: readonly KeyBinding[] = [
   },
   { keys: ',', meaning: 'roll_left', group: 'view', apply: key(',', (c) => c.roll(-ROLL_RADIANS)) },
   { keys: '.', meaning: 'roll_right', group: 'view', apply: key('.', (c) => c.roll(ROLL_RADIANS)) },
+  ...EXPORT_KEYS,
   { keys: 'r', meaning: 'reset_view', group: 'view', apply: key('r', (c) => c.resetView()) },
   { keys: 'p', meaning: 'toggle_panel', group: 'page', apply: key('p', (c) => c.togglePanel()) },
   {

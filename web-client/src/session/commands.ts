@@ -9,7 +9,6 @@ import type { Stream } from '../stream/stream.ts';
 import { projectPx, type Camera, type Point, type Viewport } from '../view/camera.ts';
 import { lookFrom, orbitByPixels, panByPixels, roll, zoom } from '../view/camera_motion.ts';
 import type { StandardView } from '../view/orientation.ts';
-import type { Counter } from '../protocol/counter.ts';
 import { SCENE_FIELDS, type Scene, type Style } from '../protocol/messages.ts';
 import { groupReset, type PanelGroup } from '../state/group_reset.ts';
 import { words } from '../words/words.ts';
@@ -31,7 +30,6 @@ export class Commands {
     private readonly store: Store<ViewerState>,
     private readonly link: SceneLink,
     private readonly stream: Stream,
-    private readonly requests: Counter,
     private readonly toasts: Toasts,
   ) {
     this.history = new History(store, link);
@@ -164,13 +162,6 @@ export class Commands {
   resize(viewport: Viewport): void {
     this.store.update({ viewport });
     this.link.sendViewport(viewport);
-  }
-
-  /** The picture comes as a file once the server has rendered it. */
-  saveStill(): void {
-    const { viewport } = this.store.state;
-    if (viewport)
-      this.stream.send({ type: 'save_still', request: this.requests.next(), ...viewport });
   }
 
   async sceneLink(): Promise<string | undefined> {

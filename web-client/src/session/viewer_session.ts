@@ -1,6 +1,5 @@
 // Brings the stream's events into the state.
 import { errorDetail, errorTitle } from '../state/error_text.ts';
-import { fileName } from '../state/file_name.ts';
 import { Store } from '../state/store.ts';
 import { asStyle } from '../state/own_styles.ts';
 import { matchingStyle } from '../state/style_patch.ts';
@@ -17,6 +16,7 @@ import type {
 import { WorkerStream, type Stream } from '../stream/stream.ts';
 import type { FromWorker, LinkState, ShownFrame } from '../stream/worker_messages.ts';
 import { Commands } from './commands.ts';
+import { Exporting } from './exporting.ts';
 import { FrameRate } from './frame_rate.ts';
 import { Measured } from './measured.ts';
 import { Measuring } from './measuring.ts';
@@ -26,6 +26,7 @@ import { Picker } from './picker.ts';
 import { SceneLink } from './scene_link.ts';
 import { SceneOpening } from './scene_opening.ts';
 import { watchForStalls } from './stall_watch.ts';
+import { Stills } from './stills.ts';
 import { StylePreviews } from './style_previews.ts';
 import { Toasts } from './toasts.ts';
 import type { Language } from '../words/language.ts';
@@ -62,6 +63,8 @@ export class ViewerSession {
   readonly measured: Measured;
   readonly measuring: Measuring;
   readonly own_styling: OwnStyling;
+  readonly exporting: Exporting;
+  private readonly stills: Stills;
   private readonly picker: Picker;
   private readonly link: SceneLink;
   private readonly opening: SceneOpening;
@@ -74,11 +77,13 @@ export class ViewerSession {
     this.link = new SceneLink(this.store, stream);
     this.opening = new SceneOpening(this.store, this.link, this.toasts);
     const requests = new Counter();
-    this.commands = new Commands(this.store, this.link, stream, requests, this.toasts);
+    this.commands = new Commands(this.store, this.link, stream, this.toasts);
     this.picker = new Picker(stream, requests, () => this.link.flush());
     this.measured = new Measured(this.store, this.toasts, parts);
     this.measuring = new Measuring(this.store, this.picker, this.toasts, this.measured);
     this.own_styling = new OwnStyling(this.store, this.commands, this.toasts, parts);
+    this.stills = new Stills(stream, requests, () => this.link.flush());
+    this.exporting = new Exporting(this.store, this.stills, this.toasts, parts.saveFile);
     this.previews = new StylePreviews(this.store, stream, requests);
     watchForStalls(this.store);
   }
@@ -114,7 +119,7 @@ export class ViewerSession {
       case 'shown':
         return this.onShown(event.frame);
       case 'saved_still':
-        return this.parts.saveFile(this.stillName(), event.png);
+        return this.stills.arrived(event.request, event.png);
       case 'preview':
         return this.previews.arrived(event.request, event.picture);
       case 'fault':
@@ -125,6 +130,7 @@ export class ViewerSession {
   private onLink(link: LinkState): void {
     this.previews.restart();
     this.picker.restart();
+    this.stills.restart();
     this.store.update({ link });
     if (link.phase !== 'connected') return;
     this.told.capabilities = undefined;
@@ -189,6 +195,7 @@ export class ViewerSession {
       this.opening.refused(error),
       this.previews.refused(error.request),
       this.picker.refused(error.request),
+      this.stills.refused(error),
       this.own_styling.refused(error),
     ];
     if (answers_own.includes(true)) return;
@@ -198,11 +205,6 @@ export class ViewerSession {
   private onShown(shown: ShownFrame): void {
     const frames_per_second = this.frame_rate.shown(performance.now());
     this.store.update({ shown, shown_scene: this.link.shown(shown), frames_per_second });
-  }
-
-  private stillName(): string {
-    const title = this.store.state.volume?.title ?? words().messages.picture;
-    return fileName(`cutaway ${title}`, 'png');
   }
 }
 

@@ -8,6 +8,7 @@ import type {
   VolumeEntry,
   VolumeSummary,
 } from '../protocol/messages.ts';
+import { NOTHING_EXPORTED, type ExportState } from './export_state.ts';
 import { NOTHING_MEASURED, type MeasureState } from './measure_state.ts';
 import type { OwnStyle } from './own_styles.ts';
 import type { LinkState, ShownFrame } from '../stream/worker_messages.ts';
@@ -68,6 +69,7 @@ export interface ViewerState {
   readonly lens_follows: boolean;
   readonly measure: MeasureState;
   readonly own_styles: readonly OwnStyle[];
+  readonly exporting: ExportState;
   /** Whether the page's address holds `scene`. */
   readonly address_current: boolean;
   readonly toasts: readonly Toast[];
@@ -103,6 +105,7 @@ export const INITIAL_STATE: ViewerState = {
   lens_follows: false,
   measure: NOTHING_MEASURED,
   own_styles: [],
+  exporting: NOTHING_EXPORTED,
   address_current: false,
   toasts: [],
   preferences: DEFAULT_PREFERENCES,

@@ -13,6 +13,9 @@ export const scale = (a: Vector3, factor: number): Vector3 => [
   a[1] * factor,
   a[2] * factor,
 ];
+/** From `a` at share 0 to `b` at share 1, on the straight line. */
+export const mix = (a: Vector3, b: Vector3, share: number): Vector3 =>
+  add(a, scale(subtract(b, a), share));
 export const dot = (a: Vector3, b: Vector3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const length = (a: Vector3): number => Math.hypot(a[0], a[1], a[2]);
 

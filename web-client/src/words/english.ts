@@ -1,5 +1,6 @@
 // The English texts. The other catalogues have the same keys.
 import { controls } from './english/controls.ts';
+import { export_words } from './english/export.ts';
 import { keys } from './english/keys.ts';
 import { look, own_styles, volume_browser } from './english/look.ts';
 import { measure } from './english/measure.ts';
@@ -16,6 +17,7 @@ export const english = {
   language: 'en',
   number: numberIn('en'),
   controls,
+  export: export_words,
   keys,
   look,
   measure,

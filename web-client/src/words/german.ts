@@ -1,5 +1,6 @@
 // The German texts, loaded when they are wanted.
 import { controls } from './german/controls.ts';
+import { export_words } from './german/export.ts';
 import { keys } from './german/keys.ts';
 import { look, own_styles, volume_browser } from './german/look.ts';
 import { measure } from './german/measure.ts';
@@ -14,6 +15,7 @@ export const german: Words = {
   language: 'de',
   number: numberIn('de'),
   controls,
+  export: export_words,
   keys,
   look,
   measure,

@@ -54,6 +54,8 @@ export const keys = {
     take_back_point: 'With a tool: take back the last point',
     cancel_measuring: 'Give up the measurement, then the tool',
     reset_view: 'Reset the view',
+    export: 'Export a picture or a film; ends a recording',
+    record: 'Record the view for a film, or end that',
     status_line: 'Status line on or off',
     toggle_panel: 'Show or hide the panel',
     help: 'This sheet',

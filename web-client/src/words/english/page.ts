@@ -16,7 +16,6 @@ export const page = {
     undo: 'Undo',
     redo: 'Redo',
     copy_link: 'Copy a link to this view',
-    save_picture: 'Save the picture as PNG',
     help: 'Help and keys',
     hide_panel: 'Hide the panel',
     show_panel: 'Show the panel',

@@ -51,6 +51,8 @@ export const keys: Words['keys'] = {
     take_back_point: 'Mit Werkzeug: letzten Punkt zurücknehmen',
     cancel_measuring: 'Messung aufgeben, dann das Werkzeug',
     reset_view: 'Ansicht zurücksetzen',
+    export: 'Bild oder Film exportieren; beendet eine Aufzeichnung',
+    record: 'Ansicht für einen Film aufzeichnen, oder das beenden',
     status_line: 'Statuszeile an oder aus',
     toggle_panel: 'Seitenleiste ein- oder ausblenden',
     help: 'Diese Übersicht',

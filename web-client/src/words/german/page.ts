@@ -16,7 +16,6 @@ export const page: Words['page'] = {
     undo: 'Rückgängig',
     redo: 'Wiederholen',
     copy_link: 'Link zu dieser Ansicht kopieren',
-    save_picture: 'Bild als PNG speichern',
     help: 'Hilfe und Tasten',
     hide_panel: 'Seitenleiste ausblenden',
     show_panel: 'Seitenleiste einblenden',

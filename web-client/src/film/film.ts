@@ -1,0 +1,12 @@
+// A film before it is drawn: how many frames, and how the scene differs in each.
+import type { JsonObject } from '../state/merge_patch.ts';
+
+export interface Film {
+  readonly frames: number;
+  readonly frames_per_second: number;
+  /** A patch that says the whole scene of a frame, 0 <= index < frames. */
+  readonly sceneOf: (index: number) => JsonObject;
+}
+
+export const frameCount = (seconds: number, frames_per_second: number): number =>
+  Math.max(1, Math.round(seconds * frames_per_second));
