@@ -16,6 +16,9 @@ const HARMLESS = [
   /^https:\/\/fontawesome\.com/,
   /^https:\/\/webawesome\.com\//,
   /^https:\/\/issues\.chromium\.org\//,
+  /^https:\/\/www\.w3\.org\/TR\//,
+  /^https:\/\/www\.webmproject\.org\//,
+  /^https:\/\/aomediacodec\.github\.io\//,
 ];
 
 /** A module that is imported only once it is wanted, by the name of its file. */

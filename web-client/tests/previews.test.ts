@@ -1,5 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { SceneStateMessage } from '../src/protocol/messages.ts';
+import type { JsonObject } from '../src/state/merge_patch.ts';
+import { ownStyle, pictureKey } from '../src/state/own_styles.ts';
 import { previewSize, previewSubject } from '../src/state/preview_subject.ts';
 import { groupOf, stylesOf } from '../src/state/style_groups.ts';
 import { swatchOf } from '../src/state/style_swatch.ts';
@@ -25,7 +27,11 @@ afterEach(() => void vi.useRealTimers());
 const asked = () => harness.sent.filter((message) => message.type === 'preview');
 const requests = () => asked().map(({ request }) => request);
 const names = () => asked().map(({ style }) => style);
-const want = (...styles: string[]): void => harness.session.previews.want(styles, SIZE);
+const want = (...styles: string[]): void => {
+  harness.session.previews.resize(SIZE);
+  const wishes = styles.map((style) => ({ key: style, preview: { style } }));
+  harness.session.previews.want('served', wishes);
+};
 const rest = (): unknown => vi.advanceTimersByTime(REST_MS);
 const answer = (request: number | undefined, picture = bitmap()) => {
   harness.emit({ kind: 'preview', request: request ?? -1, picture });
@@ -158,6 +164,72 @@ describe('pictures of the styles', () => {
     expect(asked()).toHaveLength(1);
     harness.emit({ kind: 'shown', frame: { ...still } });
     expect(asked()).toHaveLength(2);
+  });
+});
+
+describe('pictures of own styles', () => {
+  const scene = { background: { colour: [1, 0, 0] } };
+
+  it('are asked for by what the styles change, after the server’s', () => {
+    want('a');
+    harness.session.previews.want('own', [{ key: 'own x', preview: { scene } }]);
+    rest();
+    expect(asked()).toMatchObject([{ style: 'a' }, { scene, ...SIZE }]);
+    expect(asked()[1]).not.toHaveProperty('style');
+    const picture = answer(requests()[1]);
+    expect(harness.state.previews.get('own x')).toBe(picture);
+  });
+
+  it('stay when a style is renamed, not when it is replaced', () => {
+    const key = pictureKey(ownStyle('One', sceneMessage.scene as JsonObject));
+    expect(pictureKey(ownStyle('Two', sceneMessage.scene as JsonObject))).toBe(key);
+    expect(pictureKey(ownStyle('One', { background: { colour: [0, 0, 0] } }))).not.toBe(key);
+  });
+});
+
+describe('pictures of volumes', () => {
+  const wantVolumes = (...ids: string[]): void => harness.session.volume_pictures.want(ids, SIZE);
+  const volumesAsked = () => asked().map(({ volume }) => volume);
+
+  it('are asked for one at a time, once each', () => {
+    wantVolumes('head', 'knee');
+    expect(volumesAsked()).toEqual(['head']);
+    expect(asked()[0]).toMatchObject(SIZE);
+    const picture = answer(requests()[0]);
+    expect(harness.state.volume_pictures.get('head')).toBe(picture);
+    expect(volumesAsked()).toEqual(['head', 'knee']);
+    answer(requests()[1]);
+    wantVolumes('knee', 'head');
+    expect(asked()).toHaveLength(2);
+  });
+
+  it('wait while the user waits for something', () => {
+    harness.session.store.update({ pointer_held: true });
+    wantVolumes('head');
+    expect(asked()).toEqual([]);
+    harness.session.store.update({ pointer_held: false });
+    expect(asked()).toHaveLength(1);
+  });
+
+  it('that fail are not asked for again, without a message', () => {
+    wantVolumes('head', 'knee');
+    const [request = -1] = requests();
+    harness.say({ type: 'error', code: 'volume-refused', message: 'Oh', request });
+    expect(harness.state.volume_pictures.get('head')).toBe('failed');
+    expect(harness.state.toasts).toEqual([]);
+    expect(volumesAsked()).toEqual(['head', 'knee']);
+  });
+
+  it('are kept when another volume is opened, and asked for anew after a lost connection', () => {
+    wantVolumes('head', 'knee');
+    const picture = answer(requests()[0]);
+    harness.emit({ kind: 'link', state: { phase: 'connecting' } });
+    harness.emit({ kind: 'link', state: { phase: 'connected' } });
+    harness.say(capabilities);
+    expect(volumesAsked()).toEqual(['head', 'knee', 'knee']);
+    const late = answer(requests()[1]);
+    expect(late.close).toHaveBeenCalledOnce();
+    expect(harness.state.volume_pictures.get('head')).toBe(picture);
   });
 });
 

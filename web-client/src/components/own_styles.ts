@@ -3,8 +3,15 @@
 import { html } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
-import { asStyle, cleanTitle, LONGEST_TITLE, type OwnStyle } from '../state/own_styles.ts';
-import { matchingStyle } from '../state/style_patch.ts';
+import { InSight } from '../interaction/in_sight.ts';
+import {
+  asStyle,
+  cleanTitle,
+  LONGEST_TITLE,
+  pictureKey,
+  type OwnStyle,
+} from '../state/own_styles.ts';
+import { matchingStyle, stylePatch } from '../state/style_patch.ts';
 import { swatchOf } from '../state/style_swatch.ts';
 import { words } from '../words/words.ts';
 import { shared } from '../styles/shared.ts';
@@ -14,12 +21,31 @@ import './style_picture.ts';
 
 @customElement('cutaway-own-styles')
 export class OwnStyles extends SessionElement {
-  protected override readonly draws = ['own_styles', 'scene', 'capabilities'] as const;
+  protected override readonly draws = ['own_styles', 'scene', 'capabilities', 'previews'] as const;
+
+  private readonly sight = new InSight(this, () => this.askForPictures());
 
   @state() private title_typed = '';
   @query('input[type=file]') private chooser!: HTMLInputElement;
 
   static override styles = [shared, own_styles_styles];
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.session.previews.want('own', []);
+  }
+
+  private askForPictures(): void {
+    const { own_styles, capabilities } = this.state;
+    if (!capabilities) return;
+    const { names } = this.sight;
+    const seen = own_styles.filter(({ title }) => names.has(title));
+    const wishes = seen.map((style) => ({
+      key: pictureKey(style),
+      preview: { scene: { ...stylePatch(asStyle(style), capabilities.modules) } },
+    }));
+    this.session.previews.want('own', wishes);
+  }
 
   override render() {
     const { own_styles, scene } = this.state;
@@ -38,18 +64,24 @@ export class OwnStyles extends SessionElement {
   }
 
   private entry(style: OwnStyle, worn: boolean) {
-    const { capabilities } = this.state;
+    const { capabilities, previews } = this.state;
     const { own_styling } = this.session;
     const { title } = style;
+    const picture = previews.get(pictureKey(style));
     const swatch = capabilities && swatchOf(asStyle(style), capabilities.modules);
-    return html`<li data-own-style=${title} class=${worn ? 'worn' : ''}>
+    return html`<li
+      data-own-style=${title}
+      data-card=${title}
+      data-picture=${picture ? 'rendered' : 'drawn'}
+      class=${worn ? 'worn' : ''}
+    >
       <button
         class="apply"
         aria-label=${title}
         aria-pressed=${worn ? 'true' : 'false'}
         @click=${() => own_styling.apply(style)}
       >
-        <cutaway-style-picture .swatch=${swatch}></cutaway-style-picture>
+        <cutaway-style-picture .picture=${picture} .swatch=${swatch}></cutaway-style-picture>
       </button>
       <input
         aria-label=${words().own_styles.rename(title)}

@@ -19,7 +19,7 @@ export const own_styles_styles = css`
   }
   li {
     display: grid;
-    grid-template-columns: 60px minmax(0, 1fr) auto auto;
+    grid-template-columns: 84px minmax(0, 1fr) auto auto;
     align-items: center;
     gap: 4px;
     border: 1px solid var(--line);

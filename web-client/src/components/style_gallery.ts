@@ -2,6 +2,7 @@
 // the cards that can be seen.
 import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
+import { InSight } from '../interaction/in_sight.ts';
 import { observeViewport } from '../interaction/viewport_size.ts';
 import type { CapabilitiesMessage, Style } from '../protocol/messages.ts';
 import { previewSize } from '../state/preview_subject.ts';
@@ -10,7 +11,6 @@ import { asStyle } from '../state/own_styles.ts';
 import { matchingStyle } from '../state/style_patch.ts';
 import { swatchOf } from '../state/style_swatch.ts';
 import { shared } from '../styles/shared.ts';
-import type { Viewport } from '../view/camera.ts';
 import './compare_button.ts';
 import './detail_sliders.ts';
 import './own_styles.ts';
@@ -23,12 +23,9 @@ import { words } from '../words/words.ts';
 export class StyleGallery extends SessionElement {
   protected override readonly draws = ['capabilities', 'scene', 'previews', 'own_styles'] as const;
 
-  private readonly in_view = new Set<string>();
-  private readonly watched = new WeakSet<Element>();
+  private readonly sight = new InSight(this, () => this.askForPictures());
   private measured: Element | undefined;
-  private readonly sight = new IntersectionObserver((entries) => this.seen(entries));
   private measure: ResizeObserver | undefined;
-  private size: Viewport | undefined;
   /** Opens by itself when a study is worn, and then stays as the user leaves it. */
   private studies_open = false;
 
@@ -93,17 +90,11 @@ export class StyleGallery extends SessionElement {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.sight.disconnect();
     this.measure?.disconnect();
-    this.session.previews.want([], undefined);
+    this.session.previews.want('served', []);
   }
 
   override updated(): void {
-    for (const card of this.renderRoot.querySelectorAll('li')) {
-      if (this.watched.has(card)) continue;
-      this.watched.add(card);
-      this.sight.observe(card);
-    }
     const first = this.renderRoot.querySelector('cutaway-style-picture') ?? undefined;
     if (first !== this.measured) this.measureAnew(first);
   }
@@ -111,27 +102,16 @@ export class StyleGallery extends SessionElement {
   private measureAnew(picture: Element | undefined): void {
     this.measured = picture;
     this.measure?.disconnect();
-    this.measure = picture && observeViewport(picture, (size) => this.resized(size));
-  }
-
-  private resized(size: Viewport): void {
-    this.size = previewSize(size);
-    this.askForPictures();
-  }
-
-  private seen(entries: readonly IntersectionObserverEntry[]): void {
-    for (const { target, isIntersecting } of entries) {
-      const name = (target as HTMLElement).dataset['card'] ?? '';
-      if (isIntersecting) this.in_view.add(name);
-      else this.in_view.delete(name);
-    }
-    this.askForPictures();
+    const { previews } = this.session;
+    this.measure =
+      picture && observeViewport(picture, (size) => previews.resize(previewSize(size)));
   }
 
   private askForPictures(): void {
-    const names = this.state.capabilities?.styles.map(({ name }) => name) ?? [];
-    const wanted = names.filter((name) => this.in_view.has(name));
-    this.session.previews.want(wanted, this.size);
+    const { names } = this.sight;
+    const seen = this.state.capabilities?.styles.filter(({ name }) => names.has(name)) ?? [];
+    const wishes = seen.map(({ name }) => ({ key: name, preview: { style: name } }));
+    this.session.previews.want('served', wishes);
   }
 
   override render() {

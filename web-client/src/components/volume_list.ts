@@ -1,8 +1,10 @@
 // The volumes that the server can open, and what it refused.
-import { css, html, nothing } from 'lit';
+import { html, nothing } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
+import { InSight } from '../interaction/in_sight.ts';
 import type { RefusedEntry, VolumeEntry } from '../protocol/messages.ts';
+import { previewSize } from '../state/preview_subject.ts';
 import {
   EVERY_VOLUME,
   matchingVolumes,
@@ -11,9 +13,12 @@ import {
 } from '../state/volume_search.ts';
 import { volumeFacts, volumeWarnings } from '../state/volume_text.ts';
 import { chip_styles } from '../styles/chips.ts';
+import type { Viewport } from '../view/camera.ts';
 import { shared } from '../styles/shared.ts';
 import { overallFraction } from './loading_card.ts';
 import { SessionElement } from './session_element.ts';
+import './style_picture.ts';
+import { volume_list_styles } from './volume_list_styles.ts';
 import { words } from '../words/words.ts';
 
 /** So many are found at a glance. */
@@ -27,122 +32,32 @@ export class VolumeList extends SessionElement {
     'scanning',
     'volume',
     'loading',
+    'volume_pictures',
   ] as const;
+
+  private readonly sight = new InSight(this, () => this.askForPictures());
 
   @state() private filter: VolumeFilter = EVERY_VOLUME;
 
-  static override styles = [
-    shared,
-    chip_styles,
-    css`
-      ul {
-        display: grid;
-        gap: 8px;
-      }
-      .entry {
-        position: relative;
-        display: block;
-        width: 100%;
-        padding: 10px 12px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius);
-        background: var(--surface-raised);
-        text-align: left;
-        overflow: hidden;
-        transition:
-          background 120ms,
-          border-color 120ms;
-      }
-      .entry:hover {
-        background: var(--surface-hover);
-      }
-      .entry[aria-current='true'] {
-        border-color: var(--accent);
-        box-shadow: inset 3px 0 0 var(--accent);
-      }
-      .title {
-        display: block;
-        font-weight: 600;
-        overflow-wrap: anywhere;
-      }
-      .progress {
-        position: relative;
-        display: flex;
-        align-items: center;
-        justify-content: space-between;
-        padding-left: 12px;
-        font-variant-numeric: tabular-nums;
-      }
-      .bar {
-        position: absolute;
-        left: 0;
-        top: 1px;
-        height: 3px;
-        border-radius: 2px;
-        background: var(--accent);
-        transition: width 160ms;
-      }
-      .search {
-        display: grid;
-        gap: 8px;
-        margin-bottom: 12px;
-      }
-      .search input {
-        min-width: 0;
-        padding: 8px 12px;
-        border: 1px solid var(--line-strong);
-        border-radius: 9px;
-        background: var(--surface-raised);
-        color: var(--text);
-        font: inherit;
-      }
-      .search input::placeholder {
-        color: var(--text-quiet);
-      }
-      .modalities {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 6px;
-      }
-      @media (pointer: coarse) {
-        .search input {
-          min-height: 44px;
-        }
-      }
-      .warning {
-        display: flex;
-        gap: 6px;
-        margin-top: 4px;
-        color: var(--warning);
-        font-size: 12px;
-      }
-      .warning wa-icon {
-        flex: none;
-        font-size: 14px;
-        margin-top: 1px;
-      }
-      .scanning {
-        margin-top: 12px;
-      }
-      details {
-        margin-top: 18px;
-      }
-      summary {
-        padding: 6px 0;
-        color: var(--text-quiet);
-        cursor: pointer;
-      }
-      .refused li {
-        padding: 8px 12px;
-        border-left: 2px solid var(--problem);
-        background: var(--surface-raised);
-        overflow-wrap: anywhere;
-      }
-      .refused ul {
-        gap: 6px;
-      }
-    `,
-  ];
+  static override styles = [shared, chip_styles, volume_list_styles];
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.session.volume_pictures.want([], undefined);
+  }
+
+  private askForPictures(): void {
+    const { names } = this.sight;
+    const seen = this.state.volumes.map(({ id }) => id).filter((id) => names.has(id));
+    this.session.volume_pictures.want(seen, this.pictureSize());
+  }
+
+  private pictureSize(): Viewport | undefined {
+    const { clientWidth } = this.renderRoot.querySelector('.picture') ?? {};
+    if (!clientWidth) return undefined;
+    const width_px = Math.round(clientWidth * devicePixelRatio);
+    return previewSize({ width_px, height_px: Math.round((width_px * 3) / 4) });
+  }
 
   override render() {
     const { volumes, refused, scanning } = this.state;
@@ -200,16 +115,35 @@ export class VolumeList extends SessionElement {
     return html`<button
       class="entry"
       data-volume=${entry.id}
+      data-card=${entry.id}
       aria-current=${volume?.id === entry.id ? 'true' : 'false'}
       @click=${() => this.session.commands.openVolume(entry.id)}
     >
-      <span class="title">${entry.title}</span>
-      <span class="quiet small">${volumeFacts(entry) || entry.format}</span>
-      ${volumeWarnings(entry, volume).map(
-        (text) =>
-          html`<span class="warning"><wa-icon name="warning"></wa-icon><span>${text}</span></span>`,
-      )}
+      ${this.picture(entry)}
+      <span class="texts">
+        <span class="title">${entry.title}</span>
+        <span class="quiet small">${volumeFacts(entry) || entry.format}</span>
+        ${volumeWarnings(entry, volume).map(
+          (text) =>
+            html`<span class="warning"
+              ><wa-icon name="warning"></wa-icon><span>${text}</span></span
+            >`,
+        )}
+      </span>
     </button>`;
+  }
+
+  /** Quiet where there is none: the entry says all without it. */
+  private picture({ id }: VolumeEntry) {
+    const picture = this.state.volume_pictures.get(id);
+    const drawn = picture !== undefined && picture !== 'failed';
+    return html`<span class="picture" data-picture=${drawn ? 'rendered' : (picture ?? 'waiting')}>
+      ${
+        drawn
+          ? html`<cutaway-style-picture .picture=${picture}></cutaway-style-picture>`
+          : html`<wa-icon name="volumes"></wa-icon>`
+      }
+    </span>`;
   }
 
   private progress({ id, title }: VolumeEntry) {

@@ -19,7 +19,7 @@ export async function* pipelined<Item>(
   refill();
   while (coming[0]) {
     const item = await coming[0];
-    coming.shift();
+    void coming.shift();
     refill();
     yield item;
   }

@@ -1,33 +1,37 @@
-// The gallery's pictures: the user's own scene in each named style, rendered by the server. They
+// The gallery's pictures: the user's own scene in each style, rendered by the server. They
 // are asked for while somebody looks at the gallery, a few at a time, once the scene has come to
 // rest.
-import type { Counter } from '../protocol/counter.ts';
 import { previewSubject } from '../state/preview_subject.ts';
 import type { Store } from '../state/store.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
-import type { Stream } from '../stream/stream.ts';
 import type { ShownFrame } from '../stream/worker_messages.ts';
 import type { Viewport } from '../view/camera.ts';
+import type { PreviewRequests, PreviewWish } from './preview_requests.ts';
 
 const REST_MS = 1_000;
 /** Live frames share the renderer with them. */
 const MOST_OUTSTANDING = 2;
 
-interface Asked {
-  readonly style: string;
-  readonly round: number;
+/** A style of the server's by its name, an own one by what it changes. */
+export interface StyleWish {
+  /** Where its picture is kept. */
+  readonly key: string;
+  readonly preview: Pick<PreviewWish, 'style' | 'scene'>;
 }
 
+/** Who shows them. */
+export type StyleShelf = 'served' | 'own';
+
 export class StylePreviews {
-  private wanted: readonly string[] = [];
+  private readonly shelves: Record<StyleShelf, readonly StyleWish[]> = { served: [], own: [] };
   private size: Viewport | undefined;
   private subject = '';
   /** Counts up when all pictures are out of date. */
   private round = 0;
-  /** By style: the round whose picture, or failure, is here. */
+  /** By key: the round whose picture, or failure, is here. */
   private readonly answered = new Map<string, number>();
-  /** By request. */
-  private readonly outstanding = new Map<number, Asked>();
+  /** Keys of those that are on their way. */
+  private readonly asked = new Set<string>();
   /** The last picture of the connection before. */
   private shown_before: ShownFrame | undefined;
   private resting = false;
@@ -35,45 +39,29 @@ export class StylePreviews {
 
   constructor(
     private readonly store: Store<ViewerState>,
-    private readonly stream: Stream,
-    private readonly requests: Counter,
+    private readonly requests: PreviewRequests,
   ) {
     store.subscribe((state, before) => this.changed(state, before));
   }
 
-  /** The styles that the gallery shows now, those to be drawn first in front; none where it is hidden. */
-  want(styles: readonly string[], size: Viewport | undefined): void {
-    this.wanted = styles;
+  /** The styles that can be seen now, those to be drawn first in front; none where they are hidden. */
+  want(shelf: StyleShelf, styles: readonly StyleWish[]): void {
+    this.shelves[shelf] = styles;
+    this.askNext();
+  }
+
+  /** Of all pictures, device pixels. Another size makes them all out of date. */
+  resize(size: Viewport): void {
     const { width_px, height_px } = this.size ?? {};
-    if (size && (size.width_px !== width_px || size.height_px !== height_px)) {
-      this.size = size;
-      this.round += 1;
-    }
+    if (size.width_px === width_px && size.height_px === height_px) return;
+    this.size = size;
+    this.round += 1;
     this.askNext();
-  }
-
-  /**
-   * Takes the picture over; there is none where it could not be decoded. One that was asked for
-   * before the scene changed may show anything in between, and is dropped.
-   */
-  arrived(request: number, picture: ImageBitmap | undefined): void {
-    const asked = this.outstanding.get(request);
-    this.outstanding.delete(request);
-    if (asked?.round === this.round) this.keep(asked, picture);
-    else picture?.close();
-    this.askNext();
-  }
-
-  /** Whether the refused request was one for a preview; its style goes without until the next round. */
-  refused(request: number | undefined): boolean {
-    if (request === undefined || !this.outstanding.has(request)) return false;
-    this.arrived(request, undefined);
-    return true;
   }
 
   /** What a lost connection was asked for will not come; a new one has nothing to draw at first. */
   restart(): void {
-    this.outstanding.clear();
+    this.asked.clear();
     this.shown_before = this.store.state.shown;
   }
 
@@ -98,9 +86,10 @@ export class StylePreviews {
   private askNext(): void {
     const { size } = this;
     if (!size || !this.mayAsk()) return;
-    for (const style of this.wanted.filter((name) => this.isDue(name))) {
-      if (this.outstanding.size >= MOST_OUTSTANDING) return;
-      this.ask(style, size);
+    const wishes = [...this.shelves.served, ...this.shelves.own];
+    for (const wish of wishes.filter(({ key }) => this.isDue(key))) {
+      if (this.asked.size >= MOST_OUTSTANDING) return;
+      this.ask(wish, size);
     }
   }
 
@@ -112,23 +101,28 @@ export class StylePreviews {
     return showing && refined && this.resting && !pointer_held;
   }
 
-  private isDue(style: string): boolean {
-    const asked = [...this.outstanding.values()].some((one) => one.style === style);
-    return !asked && this.answered.get(style) !== this.round;
+  private isDue(key: string): boolean {
+    return !this.asked.has(key) && this.answered.get(key) !== this.round;
   }
 
-  private ask(style: string, size: Viewport): void {
-    const request = this.requests.next();
-    this.outstanding.set(request, { style, round: this.round });
-    this.stream.send({ type: 'preview', request, style, ...size });
+  private ask({ key, preview }: StyleWish, size: Viewport): void {
+    const { round } = this;
+    this.asked.add(key);
+    this.requests.ask({ ...preview, ...size }, (picture) => {
+      this.asked.delete(key);
+      // One that was asked for before the scene changed may show anything in between.
+      if (round === this.round) this.keep(key, picture);
+      else picture?.close();
+      this.askNext();
+    });
   }
 
-  private keep({ style, round }: Asked, picture: ImageBitmap | undefined): void {
-    this.answered.set(style, round);
+  private keep(key: string, picture: ImageBitmap | undefined): void {
+    this.answered.set(key, this.round);
     const previews = new Map(this.store.state.previews);
-    const old = previews.get(style);
-    if (picture) previews.set(style, picture);
-    else previews.delete(style);
+    const old = previews.get(key);
+    if (picture) previews.set(key, picture);
+    else previews.delete(key);
     this.store.update({ previews });
     old?.close();
   }

@@ -23,10 +23,12 @@ import { Measuring } from './measuring.ts';
 import type { OpenStorage } from '../preferences/browser_storage.ts';
 import { OwnStyling } from './own_styling.ts';
 import { Picker } from './picker.ts';
+import { PreviewRequests } from './preview_requests.ts';
 import { SceneLink } from './scene_link.ts';
 import { SceneOpening } from './scene_opening.ts';
 import { watchForStalls } from './stall_watch.ts';
 import { Stills } from './stills.ts';
+import { VolumePictures } from './volume_pictures.ts';
 import { StylePreviews } from './style_previews.ts';
 import { Toasts } from './toasts.ts';
 import type { Language } from '../words/language.ts';
@@ -60,11 +62,13 @@ export class ViewerSession {
   readonly toasts = new Toasts(this.store);
   readonly commands: Commands;
   readonly previews: StylePreviews;
+  readonly volume_pictures: VolumePictures;
   readonly measured: Measured;
   readonly measuring: Measuring;
   readonly own_styling: OwnStyling;
   readonly exporting: Exporting;
   private readonly stills: Stills;
+  private readonly preview_requests: PreviewRequests;
   private readonly picker: Picker;
   private readonly link: SceneLink;
   private readonly opening: SceneOpening;
@@ -84,7 +88,9 @@ export class ViewerSession {
     this.own_styling = new OwnStyling(this.store, this.commands, this.toasts, parts);
     this.stills = new Stills(stream, requests, () => this.link.flush());
     this.exporting = new Exporting(this.store, this.stills, this.toasts, parts.saveFile);
-    this.previews = new StylePreviews(this.store, stream, requests);
+    this.preview_requests = new PreviewRequests(stream, requests);
+    this.previews = new StylePreviews(this.store, this.preview_requests);
+    this.volume_pictures = new VolumePictures(this.store, this.preview_requests);
     watchForStalls(this.store);
   }
 
@@ -121,14 +127,16 @@ export class ViewerSession {
       case 'saved_still':
         return this.stills.arrived(event.request, event.png);
       case 'preview':
-        return this.previews.arrived(event.request, event.picture);
+        return this.preview_requests.arrived(event.request, event.picture);
       case 'fault':
         return this.toasts.problem(words().messages.unexpected, event.text);
     }
   }
 
   private onLink(link: LinkState): void {
+    this.preview_requests.restart();
     this.previews.restart();
+    this.volume_pictures.restart();
     this.picker.restart();
     this.stills.restart();
     this.store.update({ link });
@@ -193,7 +201,7 @@ export class ViewerSession {
     this.link.refused(error);
     const answers_own = [
       this.opening.refused(error),
-      this.previews.refused(error.request),
+      this.preview_requests.refused(error.request),
       this.picker.refused(error.request),
       this.stills.refused(error),
       this.own_styling.refused(error),

@@ -50,6 +50,9 @@ export const asStyle = ({ title, scene }: OwnStyle): Style => ({
   scene,
 });
 
+/** Where its picture is kept: one that is renamed keeps it, one that is replaced does not. */
+export const pictureKey = ({ scene }: OwnStyle): string => `own ${JSON.stringify(scene)}`;
+
 /** The title, or the first of 'title 2', 'title 3' that none of the styles has. */
 export function freeTitle(title: string, styles: readonly OwnStyle[]): string {
   const taken = new Set(styles.map((style) => style.title));

@@ -61,7 +61,9 @@ export interface ViewerState {
   /** An input has waited long for its picture. */
   readonly stalled: boolean;
   readonly frames_per_second: number;
-  /** By style: the scene in that style, small. */
+  /** By volume: as it first appears, small; or that there is none to be had. */
+  readonly volume_pictures: ReadonlyMap<string, ImageBitmap | 'failed'>;
+  /** By style, an own one's by what it says: the scene in that style, small. */
   readonly previews: ReadonlyMap<string, ImageBitmap>;
   /** A button is held or a finger is down. */
   readonly pointer_held: boolean;
@@ -100,6 +102,7 @@ export const INITIAL_STATE: ViewerState = {
   shown_scene: undefined,
   stalled: false,
   frames_per_second: 0,
+  volume_pictures: new Map(),
   previews: new Map(),
   pointer_held: false,
   lens_follows: false,
