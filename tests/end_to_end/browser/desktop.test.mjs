@@ -190,12 +190,6 @@ describe('the page on a desktop', { skip }, () => {
     assert.ok(meanDifference(picture, await other.pixels()) < SAME_PICTURE);
     await other.close();
   });
-
-  it('saves the picture as a PNG', async () => {
-    const download = viewer.page.waitForEvent('download');
-    await viewer.page.getByRole('button', { name: 'Save the picture as PNG' }).click();
-    assert.match((await download).suggestedFilename(), /^cutaway .*\.png$/);
-  });
 });
 
 describe('a link that cannot be opened', { skip }, () => {

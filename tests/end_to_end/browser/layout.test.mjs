@@ -138,7 +138,7 @@ describe('layout and accessibility', { skip }, () => {
       'Lens follows the pointer',
       'Undo',
       'Copy a link to this view',
-      'Save the picture as PNG',
+      'Export a picture or a film',
       'Help and keys',
       'Hide the panel',
       '3-D picture',

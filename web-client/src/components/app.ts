@@ -63,10 +63,13 @@ export class CutawayApp extends SessionElement {
       :host([data-panel='closed']) aside {
         display: none;
       }
+      cutaway-viewport,
       cutaway-export-chip {
-        grid-area: picture;
+        grid-area: 1 / 1;
+      }
+      cutaway-export-chip {
         place-self: start center;
-        z-index: 9;
+        z-index: 1;
         margin-top: 44px;
       }
       cutaway-toast-stack {
@@ -118,12 +121,12 @@ export class CutawayApp extends SessionElement {
       <main>
         <cutaway-viewport .session=${this.session} .canvas=${this.canvas}></cutaway-viewport>
         ${this.state.preferences.status_line ? html`<cutaway-status-line .session=${this.session}></cutaway-status-line>` : nothing}
+        <cutaway-export-chip .session=${this.session}></cutaway-export-chip>
       </main>
       <aside aria-label=${words().page.volumes_and_settings}>
         <cutaway-panel .session=${this.session}></cutaway-panel>
       </aside>
       <cutaway-toast-stack .session=${this.session}></cutaway-toast-stack>
-      <cutaway-export-chip .session=${this.session}></cutaway-export-chip>
       <cutaway-help-dialog .session=${this.session}></cutaway-help-dialog>
       <cutaway-export-dialog .session=${this.session}></cutaway-export-dialog>
       <div class="visually-hidden" role="status">${this.announcement()}</div>

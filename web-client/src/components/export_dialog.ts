@@ -1,7 +1,10 @@
 // The view as a picture or as a film in a file.
 import { css, html, nothing } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
+import type { CameraPath } from '../film/camera_path.ts';
+import type { SizeWish } from '../film/picture_size.ts';
 import type { ExportOutcome } from '../state/export_state.ts';
+import { FIRST_FILM, type FilmSettings } from '../state/film_settings.ts';
 import { chip_styles } from '../styles/chips.ts';
 import { shared } from '../styles/shared.ts';
 import { words } from '../words/words.ts';
@@ -12,6 +15,8 @@ import './modal.ts';
 import { SessionElement } from './session_element.ts';
 
 const KINDS = ['picture', 'film'] as const;
+/** Before the user has given sides, a preset's are taken. */
+const FIRST_OWN = { own: { width_px: 1, height_px: 1 }, keeps_shape: true };
 const BYTES_PER_MEGABYTE = 1e6;
 
 @customElement('cutaway-export-dialog')
@@ -19,6 +24,10 @@ export class ExportDialog extends SessionElement {
   protected override readonly draws = ['exporting'] as const;
 
   @state() private kind: (typeof KINDS)[number] = 'picture';
+  @state() private picture_size: SizeWish = { ...FIRST_OWN, preset: 'double' };
+  @state() private film_size: SizeWish = { ...FIRST_OWN, preset: 'full_hd' };
+  @state() private film: FilmSettings = FIRST_FILM;
+  private path: CameraPath | undefined;
 
   static override styles = [
     shared,
@@ -51,9 +60,13 @@ export class ExportDialog extends SessionElement {
     `,
   ];
 
-  /** What was recorded is for a film. */
+  /** A recording that has ended is what the user wants a film of. */
   override willUpdate(): void {
-    if (this.state.exporting.path && !this.state.exporting.open) this.kind = 'film';
+    const { path } = this.state.exporting;
+    if (path === this.path) return;
+    this.path = path;
+    this.film = { ...this.film, motion: path ? 'path' : 'turntable' };
+    if (path) this.kind = 'film';
   }
 
   override render() {
@@ -63,9 +76,14 @@ export class ExportDialog extends SessionElement {
       ?open=${open}
       .closed=${() => this.session.exporting.show(false)}
     >
-      ${open ? (job ? html`<cutaway-export-progress .session=${this.session}></cutaway-export-progress>` : this.choices()) : nothing}
+      ${open ? this.content(job !== undefined) : nothing}
       ${outcome ? this.outcome(outcome) : nothing}
     </cutaway-modal>`;
+  }
+
+  private content(works: boolean) {
+    if (!works) return this.choices();
+    return html`<cutaway-export-progress .session=${this.session}></cutaway-export-progress>`;
   }
 
   private choices() {
@@ -82,11 +100,25 @@ export class ExportDialog extends SessionElement {
             </button>`,
         )}
       </div>
-      ${
-        this.kind === 'picture'
-          ? html`<cutaway-export-picture .session=${this.session}></cutaway-export-picture>`
-          : html`<cutaway-export-film .session=${this.session}></cutaway-export-film>`
-      }`;
+      ${this.kind === 'picture' ? this.pictureChoices() : this.filmChoices()}`;
+  }
+
+  private pictureChoices() {
+    return html`<cutaway-export-picture
+      .session=${this.session}
+      .wish=${this.picture_size}
+      .chosen=${(wish: SizeWish) => (this.picture_size = wish)}
+    ></cutaway-export-picture>`;
+  }
+
+  private filmChoices() {
+    return html`<cutaway-export-film
+      .session=${this.session}
+      .wish=${this.film_size}
+      .settings=${this.film}
+      .chosen=${(wish: SizeWish) => (this.film_size = wish)}
+      .set=${(settings: FilmSettings) => (this.film = settings)}
+    ></cutaway-export-film>`;
   }
 
   private outcome(outcome: ExportOutcome) {

@@ -1,11 +1,10 @@
 // A turntable or a recorded path as a film.
 import { css, html, nothing } from 'lit';
-import { customElement, state } from 'lit/decorators.js';
+import { customElement, property, state } from 'lit/decorators.js';
 import { formatSupport, type FormatSupport } from '../film/film_file.ts';
 import { chosenSize, even, filmPresets, type SizeWish } from '../film/picture_size.ts';
 import type { Control } from '../state/controls.ts';
 import {
-  FIRST_FILM,
   filmFacts,
   formatControl,
   motionControl,
@@ -26,12 +25,11 @@ import { SessionElement } from './session_element.ts';
 export class ExportFilm extends SessionElement {
   protected override readonly draws = ['capabilities', 'viewport', 'exporting'] as const;
 
-  @state() private settings: FilmSettings = FIRST_FILM;
-  @state() private wish: SizeWish = {
-    preset: 'full_hd',
-    own: { width_px: 2, height_px: 2 },
-    keeps_shape: true,
-  };
+  @property({ attribute: false }) settings!: FilmSettings;
+  @property({ attribute: false }) wish!: SizeWish;
+  @property({ attribute: false }) chosen!: (wish: SizeWish) => void;
+  @property({ attribute: false }) set!: (settings: FilmSettings) => void;
+
   /** What the browser can write, of films of `asked_for`. */
   @state() private support: readonly FormatSupport[] | undefined;
   private asked_for = '';
@@ -62,12 +60,6 @@ export class ExportFilm extends SessionElement {
     `,
   ];
 
-  /** A recording that has ended is what the user wants a film of. */
-  override connectedCallback(): void {
-    super.connectedCallback();
-    if (this.state.exporting.path) this.settings = { ...this.settings, motion: 'path' };
-  }
-
   override updated(): void {
     const asked_for = JSON.stringify([this.size, this.settings.frames_per_second]);
     if (!this.size || asked_for === this.asked_for) return;
@@ -78,7 +70,7 @@ export class ExportFilm extends SessionElement {
   }
 
   private readonly change = (patch: JsonObject): void => {
-    this.settings = { ...this.settings, ...(patch as Partial<FilmSettings>) };
+    this.set({ ...this.settings, ...(patch as Partial<FilmSettings>) });
   };
 
   private get limit_px(): number {
@@ -109,7 +101,7 @@ export class ExportFilm extends SessionElement {
         .presets=${filmPresets(viewport, limit_px)}
         .view=${viewport}
         .limit_px=${limit_px}
-        .chosen=${(chosen: SizeWish) => (this.wish = chosen)}
+        .chosen=${this.chosen}
       ></cutaway-export-size>
       <div class="pairs">${this.field(speedControl(settings))} ${this.formats()}</div>
       ${this.missing()}

@@ -1,6 +1,6 @@
 // The current view as a lossless picture.
 import { html, nothing } from 'lit';
-import { customElement, state } from 'lit/decorators.js';
+import { customElement, property } from 'lit/decorators.js';
 import { chosenSize, picturePresets, type SizeWish } from '../film/picture_size.ts';
 import { export_styles } from '../styles/export.ts';
 import { shared } from '../styles/shared.ts';
@@ -12,11 +12,8 @@ import { SessionElement } from './session_element.ts';
 export class ExportPicture extends SessionElement {
   protected override readonly draws = ['capabilities', 'viewport'] as const;
 
-  @state() private wish: SizeWish = {
-    preset: 'double',
-    own: { width_px: 1, height_px: 1 },
-    keeps_shape: true,
-  };
+  @property({ attribute: false }) wish!: SizeWish;
+  @property({ attribute: false }) chosen!: (wish: SizeWish) => void;
 
   static override styles = [shared, export_styles];
 
@@ -32,7 +29,7 @@ export class ExportPicture extends SessionElement {
         .presets=${presets}
         .view=${viewport}
         .limit_px=${limit_px}
-        .chosen=${(wish: SizeWish) => (this.wish = wish)}
+        .chosen=${this.chosen}
       ></cutaway-export-size>
       <p class="quiet small">${words().export.picture_note(capabilities.notice)}</p>
       <button class="text-button primary" @click=${save}>${words().export.save_picture}</button>`;
