@@ -1,214 +1,168 @@
 // The view as a picture of any size, and as a film.
-import assert from "node:assert/strict";
-import { describe, it } from "node:test";
-import { assertAccessible } from "./support/accessible.mjs";
-import { DESKTOP, PHONE, skip } from "./support/browser.mjs";
-import {
-  download,
-  pictureFacts,
-  videoFacts,
-  zipEntries,
-} from "./support/files.mjs";
-import { servedPage } from "./support/suite.mjs";
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { assertAccessible } from './support/accessible.mjs';
+import { DESKTOP, PHONE, skip } from './support/browser.mjs';
+import { download, pictureFacts, videoFacts, zipEntries } from './support/files.mjs';
+import { servedPage } from './support/suite.mjs';
 
-const GERMAN = { ...DESKTOP, locale: "de-DE" };
+const GERMAN = { ...DESKTOP, locale: 'de-DE' };
 
-describe("the export", { skip }, () => {
+describe('the export', { skip }, () => {
   let viewer;
   servedPage(DESKTOP, (page) => (viewer = page));
 
-  const button = (name) => viewer.page.getByRole("button", { name });
-  const dialog = () => viewer.page.getByRole("dialog", { name: "Export" });
-  const outcome = () => viewer.page.locator("[data-part=export-outcome]");
+  const button = (name) => viewer.page.getByRole('button', { name });
+  const dialog = () => viewer.page.getByRole('dialog', { name: 'Export' });
+  const outcome = () => viewer.page.locator('[data-part=export-outcome]');
 
   async function open(kind) {
-    await button("Export a picture or a film").click();
-    await viewer.page.getByRole("button", { name: kind, exact: true }).click();
+    await button('Export a picture or a film').click();
+    await viewer.page.getByRole('button', { name: kind, exact: true }).click();
   }
 
   async function setNumber(name, value) {
     await viewer.number(name).fill(String(value));
-    await viewer.number(name).press("Enter");
+    await viewer.number(name).press('Enter');
   }
 
   async function setSize(width, height) {
-    await viewer.toggle("Keep the view’s shape");
-    await setNumber("Width", width);
-    await setNumber("Height", height);
+    await viewer.toggle('Keep the view’s shape');
+    await setNumber('Width', width);
+    await setNumber('Height', height);
   }
 
   /** A short one, so that a slow machine makes it too. */
   async function shortTurntable() {
-    await open("Film");
+    await open('Film');
     await setSize(160, 120);
-    await setNumber("Length", 1);
-    await viewer.choose("Frames per second", "10");
+    await setNumber('Length', 1);
+    await viewer.choose('Frames per second', '10');
   }
 
-  it("saves a picture of 3000 by 2000, with its notice in the file", async () => {
-    await open("Picture");
+  it('saves a picture of 3000 by 2000, with its notice in the file', async () => {
+    await open('Picture');
     await setSize(3000, 2000);
-    await viewer.screenshot("desktop-export-picture");
-    const { name, bytes } = await download(viewer, () =>
-      button("Save the picture").click(),
-    );
+    await viewer.screenshot('desktop-export-picture');
+    const { name, bytes } = await download(viewer, () => button('Save the picture').click());
     assert.match(name, /^cutaway .*\.png$/);
     const { width, height, others } = await pictureFacts(viewer, bytes);
     assert.deepEqual([width, height], [3000, 2000]);
     assert.ok(others > 20, `${others} of 400 places differ from the corner`);
-    assert.match(
-      bytes.toString("utf8", 0, 400),
-      /Disclaimer\0+Not for diagnostic use/,
-    );
+    assert.match(bytes.toString('utf8', 0, 400), /Disclaimer\0+Not for diagnostic use/);
     await outcome().getByText(name).waitFor();
-    await assertAccessible(viewer, "a picture was saved");
+    await assertAccessible(viewer, 'a picture was saved');
   });
 
-  it("keeps the view’s shape until told otherwise", async () => {
-    await open("Picture");
-    await setNumber("Width", 1500);
+  it('keeps the view’s shape until told otherwise', async () => {
+    await open('Picture');
+    await setNumber('Width', 1500);
     const { width, height } = await viewer.stageBox();
-    const made = Number(await viewer.number("Height").inputValue());
+    const made = Number(await viewer.number('Height').inputValue());
     assert.ok(Math.abs(made - (1500 * height) / width) <= 1, `${made} px high`);
-    await setNumber("Height", 99_999);
+    await setNumber('Height', 99_999);
     const sides = await Promise.all(
-      ["Width", "Height"].map(async (side) =>
-        Number(await viewer.number(side).inputValue()),
-      ),
+      ['Width', 'Height'].map(async (side) => Number(await viewer.number(side).inputValue())),
     );
     assert.equal(Math.max(...sides), 8192);
   });
 
-  it("makes a WebM with every frame of a turntable", async () => {
+  it('makes a WebM with every frame of a turntable', async () => {
     await shortTurntable();
-    await viewer.choose("Format", "WebM");
-    await viewer.screenshot("desktop-export-film");
-    await assertAccessible(viewer, "the settings of a film");
-    const before = await viewer.data("revision");
-    const { name, bytes } = await download(viewer, () =>
-      button("Make the film").click(),
-    );
+    await viewer.choose('Format', 'WebM');
+    await viewer.screenshot('desktop-export-film');
+    await assertAccessible(viewer, 'the settings of a film');
+    const before = await viewer.data('revision');
+    const { name, bytes } = await download(viewer, () => button('Make the film').click());
     assert.match(name, /^cutaway .*\.webm$/);
     const { width, height, frames, seconds } = await videoFacts(bytes);
     assert.deepEqual([width, height, frames], [160, 120, 10]);
     assert.ok(Math.abs(seconds - 1) < 0.01, `${seconds} s`);
-    assert.equal(
-      await viewer.data("revision"),
-      before,
-      "the session’s scene is as it was",
-    );
+    assert.equal(await viewer.data('revision'), before, 'the session’s scene is as it was');
   });
 
-  it("makes numbered pictures in a ZIP, stored as they are", async () => {
+  it('makes numbered pictures in a ZIP, stored as they are', async () => {
     await shortTurntable();
-    await viewer.choose("Format", "Numbered PNG in a ZIP");
-    const { name, bytes } = await download(viewer, () =>
-      button("Make the film").click(),
-    );
+    await viewer.choose('Format', 'Numbered PNG in a ZIP');
+    const { name, bytes } = await download(viewer, () => button('Make the film').click());
     assert.match(name, /^cutaway .*\.zip$/);
     const [notice, ...frames] = zipEntries(bytes);
-    assert.match(notice.content.toString("utf8"), /Not for diagnostic use/);
+    assert.match(notice.content.toString('utf8'), /Not for diagnostic use/);
     assert.deepEqual(
       frames.map((frame) => frame.name),
-      Array.from(
-        { length: 10 },
-        (_, at) => `frame_${String(at + 1).padStart(5, "0")}.png`,
-      ),
+      Array.from({ length: 10 }, (_, at) => `frame_${String(at + 1).padStart(5, '0')}.png`),
     );
     assert.ok(frames.every(({ is_stored }) => is_stored));
     const { width, height } = await pictureFacts(viewer, frames[3].content);
     assert.deepEqual([width, height], [160, 120]);
-    assert.notDeepEqual(
-      frames[0].content,
-      frames[3].content,
-      "the view has turned",
-    );
+    assert.notDeepEqual(frames[0].content, frames[3].content, 'the view has turned');
   });
 
-  it("can be given up, and lets the user go on meanwhile", async () => {
-    await open("Film");
-    await setNumber("Length", 60);
-    await button("Make the film").click();
-    await viewer.page
-      .locator("[data-part=export-progress]", { hasText: " of 1,500" })
-      .waitFor();
-    await viewer.screenshot("desktop-export-progress");
-    await assertAccessible(viewer, "a film is made");
-    await viewer.page.keyboard.press("Escape");
-    await dialog().waitFor({ state: "hidden" });
-    await viewer.page.locator("[data-part=export-going-on]").waitFor();
-    await viewer.screenshot("desktop-export-going-on");
+  it('can be given up, and lets the user go on meanwhile', async () => {
+    await open('Film');
+    await setNumber('Length', 60);
+    await button('Make the film').click();
+    await viewer.page.locator('[data-part=export-progress]', { hasText: ' of 1,500' }).waitFor();
+    await viewer.screenshot('desktop-export-progress');
+    await assertAccessible(viewer, 'a film is made');
+    await viewer.page.keyboard.press('Escape');
+    await dialog().waitFor({ state: 'hidden' });
+    await viewer.page.locator('[data-part=export-going-on]').waitFor();
+    await viewer.screenshot('desktop-export-going-on');
     await viewer.after(async () => {
-      await viewer.page.locator("[data-part=stage]").focus();
-      await viewer.page.keyboard.press("ArrowRight");
+      await viewer.page.locator('[data-part=stage]').focus();
+      await viewer.page.keyboard.press('ArrowRight');
     });
-    await viewer.page
-      .locator("[data-part=export-going-on]")
-      .getByRole("button")
-      .click();
-    await button("Cancel").click();
-    await button("Make the film").waitFor();
+    await viewer.page.locator('[data-part=export-going-on]').getByRole('button').click();
+    await button('Cancel').click();
+    await button('Make the film').waitFor();
   });
 
-  it("records the view with a red mark, and makes a film of that", async () => {
+  it('records the view with a red mark, and makes a film of that', async () => {
     const { keyboard } = viewer.page;
-    await viewer.page.locator("[data-part=stage]").focus();
-    await keyboard.press("Shift+E");
-    await viewer.page
-      .locator("[data-part=recording]", { hasText: "Recording" })
-      .waitFor();
-    await viewer.screenshot("desktop-recording");
-    await assertAccessible(viewer, "the view is recorded");
-    for (let press = 0; press < 4; press++) await keyboard.press("ArrowRight");
-    await keyboard.press("e");
-    await dialog().getByText("Recorded:").waitFor();
+    await viewer.page.locator('[data-part=stage]').focus();
+    await keyboard.press('Shift+E');
+    await viewer.page.locator('[data-part=recording]', { hasText: 'Recording' }).waitFor();
+    await viewer.screenshot('desktop-recording');
+    await assertAccessible(viewer, 'the view is recorded');
+    for (let press = 0; press < 4; press++) await keyboard.press('ArrowRight');
+    await keyboard.press('e');
+    await viewer.page.getByText('Recorded:').waitFor();
     await setSize(160, 120);
-    await viewer.choose("Frames per second", "10");
-    await viewer.choose("Format", "WebM");
-    const { bytes } = await download(viewer, () =>
-      button("Make the film").click(),
-    );
+    await viewer.choose('Frames per second', '10');
+    await viewer.choose('Format', 'WebM');
+    const { bytes } = await download(viewer, () => button('Make the film').click());
     const { frames } = await videoFacts(bytes);
     assert.ok(frames > 0, `${frames} frames`);
   });
 });
 
-describe("the export on a phone", { skip }, () => {
+describe('the export on a phone', { skip }, () => {
   let viewer;
   servedPage(PHONE, (page) => (viewer = page));
 
-  it("fits, with its film", async () => {
-    await viewer.page
-      .getByRole("button", { name: "Export a picture or a film" })
-      .tap();
-    await viewer.page
-      .getByRole("button", { name: "Save the picture" })
-      .waitFor();
-    await viewer.screenshot("phone-export-picture");
-    await viewer.page.getByRole("button", { name: "Film" }).tap();
-    await viewer.page.getByRole("combobox", { name: "Format" }).waitFor();
-    await viewer.screenshot("phone-export-film");
-    await assertAccessible(viewer, "the settings of a film on a phone");
-    const { width } = await viewer.page.locator("dialog[open]").boundingBox();
+  it('fits, with its film', async () => {
+    await viewer.page.getByRole('button', { name: 'Export a picture or a film' }).tap();
+    await viewer.page.getByRole('button', { name: 'Save the picture' }).waitFor();
+    await viewer.screenshot('phone-export-picture');
+    await viewer.page.getByRole('button', { name: 'Film' }).tap();
+    await viewer.page.getByRole('combobox', { name: 'Format' }).waitFor();
+    await viewer.screenshot('phone-export-film');
+    await assertAccessible(viewer, 'the settings of a film on a phone');
+    const { width } = await viewer.page.locator('dialog[open]').boundingBox();
     assert.ok(width <= PHONE.viewport.width);
   });
 });
 
-describe("the export in German", { skip }, () => {
+describe('the export in German', { skip }, () => {
   let viewer;
   servedPage(GERMAN, (page) => (viewer = page));
 
-  it("speaks it", async () => {
-    await viewer.page
-      .getByRole("button", { name: "Bild oder Film exportieren" })
-      .click();
-    await viewer.page
-      .getByRole("button", { name: "Film", exact: true })
-      .click();
-    await viewer.page
-      .getByRole("button", { name: "Film herstellen" })
-      .waitFor();
-    await viewer.screenshot("desktop-export-german");
-    await assertAccessible(viewer, "the export in German");
+  it('speaks it', async () => {
+    await viewer.page.getByRole('button', { name: 'Bild oder Film exportieren' }).click();
+    await viewer.page.getByRole('button', { name: 'Film', exact: true }).click();
+    await viewer.page.getByRole('button', { name: 'Film herstellen' }).waitFor();
+    await viewer.screenshot('desktop-export-german');
+    await assertAccessible(viewer, 'the export in German');
   });
 });

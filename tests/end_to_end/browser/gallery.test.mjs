@@ -1,6 +1,7 @@
 // The gallery of styles, with pictures that the server renders of the open volume.
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, describe, it } from 'node:test';
+import { assertAccessible } from './support/accessible.mjs';
 import { DESKTOP, PHONE, skip } from './support/browser.mjs';
 import { served } from './support/suite.mjs';
 import { Viewer } from './support/viewer.mjs';
@@ -11,6 +12,8 @@ const LIMIT_MS = 60_000;
 /** The wire as the page uses it: what it asked for, and how much of that is still on its way. */
 class Wire {
   sizes = [];
+  /** Ids of those whose pictures were asked for. */
+  volumes = [];
   most_outstanding = 0;
   #outstanding = new Set();
 
@@ -24,6 +27,7 @@ class Wire {
   #sent(text) {
     const message = JSON.parse(text);
     if (message.type !== 'preview') return;
+    if (message.volume) this.volumes.push(message.volume);
     this.sizes.push([message.width_px, message.height_px]);
     this.#outstanding.add(message.request);
     this.most_outstanding = Math.max(this.most_outstanding, this.#outstanding.size);
@@ -97,6 +101,19 @@ describe('the gallery of styles', { skip }, () => {
       await untilChanged('flagship', first);
     });
 
+    it('shows the volume in an own style, which keeps its picture under a new name', async () => {
+      await viewer.page.getByRole('textbox', { name: 'Name of the look' }).fill('Mine');
+      await viewer.page.getByRole('button', { name: 'Save', exact: true }).click();
+      const own = (title) => viewer.page.locator(`[data-own-style=${title}]`);
+      await own('Mine').scrollIntoViewIfNeeded();
+      await viewer.page.locator('[data-own-style=Mine][data-picture=rendered]').waitFor();
+      await viewer.screenshot('desktop-own-style-picture');
+      await assertAccessible(viewer, 'an own style with its picture');
+      await viewer.page.getByRole('textbox', { name: 'Rename Mine' }).fill('Yours');
+      await viewer.page.keyboard.press('Enter');
+      await viewer.page.locator('[data-own-style=Yours][data-picture=rendered]').waitFor();
+    });
+
     it('shows another volume in its pictures', async () => {
       await viewer.pictured('flagship');
       const first = await cardPixels('flagship');
@@ -118,6 +135,35 @@ describe('the gallery of styles', { skip }, () => {
     const [[width_px]] = wire.sizes;
     const { width } = await card('flagship').locator('cutaway-style-picture').boundingBox();
     assert.equal(width_px, Math.round(width * PHONE.deviceScaleFactor));
+    await viewer.close();
+  });
+
+  it('has a picture of each volume in the list, asked for one at a time and once', async () => {
+    await open(DESKTOP);
+    await viewer.openTab('Volumes');
+    const asked_before = wire.volumes.length;
+    const entries = viewer.page.locator('.entry');
+    await viewer.page.waitForFunction(
+      () => {
+        const list = document
+          .querySelector('cutaway-app')
+          .shadowRoot.querySelector('cutaway-panel')
+          .shadowRoot.querySelector('cutaway-volume-list');
+        const pictures = [...(list?.shadowRoot.querySelectorAll('.picture') ?? [])];
+        return pictures.length > 1 && pictures.every((one) => one.dataset.picture === 'rendered');
+      },
+      undefined,
+      { timeout: LIMIT_MS },
+    );
+    await viewer.screenshot('desktop-volume-pictures');
+    await assertAccessible(viewer, 'volumes with pictures');
+    const count = await entries.count();
+    assert.equal(asked_before, 0);
+    assert.equal(new Set(wire.volumes).size, count);
+    await viewer.openTab('Styles');
+    await viewer.openTab('Volumes');
+    await viewer.page.locator('[data-picture=rendered]').first().waitFor();
+    assert.equal(wire.volumes.length, count);
     await viewer.close();
   });
 });

@@ -1,5 +1,5 @@
 // The size of an exported picture: one of a few, or two sides.
-import { css, html, LitElement } from 'lit';
+import { css, html, LitElement, nothing } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { chosenSize, withSide, type SizePreset, type SizeWish } from '../film/picture_size.ts';
 import type { Control } from '../state/controls.ts';
@@ -43,14 +43,14 @@ export class ExportSize extends LitElement {
         ${this.field(this.sideControl('height_px', words().export.height))}
       </div>
       ${this.field(this.shapeControl())}
-      <p class="quiet small">${words().export.keep_shape_hint}</p>`;
+      ${this.wish.keeps_shape ? nothing : html`<p class="quiet small">${words().export.free_shape_hint}</p>`}`;
   }
 
   private field(control: Control) {
     return html`<cutaway-control
       .control=${control}
       .change=${this.change}
-      bare
+      .bare=${true}
     ></cutaway-control>`;
   }
 

@@ -52,10 +52,10 @@ export const even = ({ width_px, height_px }: Viewport): Viewport => ({
 
 export function filmPresets(view: Viewport, limit_px: number): readonly SizePreset[] {
   const presets: readonly SizePreset[] = [
-    { id: 'hd', size: withinSide(view, 1280) },
-    { id: 'full_hd', size: withinSide(view, 1920) },
+    { id: 'hd', size: within(view, [1280, 720]) },
+    { id: 'full_hd', size: within(view, [1920, 1080]) },
     { id: 'view', size: view },
-    { id: '4k', size: withinSide(view, 3840) },
+    { id: '4k', size: within(view, [3840, 2160]) },
   ];
   return presets
     .map((preset) => ({ ...preset, size: even(preset.size) }))

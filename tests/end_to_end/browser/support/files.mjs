@@ -1,14 +1,14 @@
 // What is in a file that the page has saved.
-import { readFile } from "node:fs/promises";
-import { createRequire } from "node:module";
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
 
 const clientRequire = createRequire(
-  new URL("../../../../web-client/package.json", import.meta.url),
+  new URL('../../../../web-client/package.json', import.meta.url),
 );
 
 /** Name and bytes of what `action` makes the page save. */
 export async function download({ page }, action) {
-  const coming = page.waitForEvent("download");
+  const coming = page.waitForEvent('download');
   await action();
   const file = await coming;
   return {
@@ -20,31 +20,22 @@ export async function download({ page }, action) {
 /** Decoded by the browser: its size, and how many of a few hundred places differ from the first. */
 export function pictureFacts({ page }, bytes) {
   return page.evaluate(async (base64) => {
-    const data = Uint8Array.from(atob(base64), (letter) =>
-      letter.charCodeAt(0),
-    );
-    const bitmap = await createImageBitmap(
-      new Blob([data], { type: "image/png" }),
-    );
+    const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([data], { type: 'image/png' }));
     const { width, height } = bitmap;
-    const context = new OffscreenCanvas(20, 20).getContext("2d");
+    const context = new OffscreenCanvas(20, 20).getContext('2d');
     context.drawImage(bitmap, 0, 0, 20, 20);
     const pixels = context.getImageData(0, 0, 20, 20).data;
     let others = 0;
     for (let at = 0; at < pixels.length; at += 4)
-      if (
-        [0, 1, 2].some(
-          (part) => Math.abs(pixels[at + part] - pixels[part]) > 16,
-        )
-      )
-        others += 1;
+      if ([0, 1, 2].some((part) => Math.abs(pixels[at + part] - pixels[part]) > 16)) others += 1;
     return { width, height, others };
-  }, bytes.toString("base64"));
+  }, bytes.toString('base64'));
 }
 
 /** Of a video: its codec, size, number of frames and length. */
 export async function videoFacts(bytes) {
-  const { ALL_FORMATS, BufferSource, Input } = clientRequire("mediabunny");
+  const { ALL_FORMATS, BufferSource, Input } = clientRequire('mediabunny');
   const input = new Input({
     formats: ALL_FORMATS,
     source: new BufferSource(bytes),
@@ -65,24 +56,17 @@ const STORED = 0;
 
 /** Entries of a ZIP, by its directory; all of them stored as they are. */
 export function zipEntries(bytes) {
-  const end = bytes.lastIndexOf(Buffer.from("PK\x05\x06", "latin1"));
+  const end = bytes.lastIndexOf(Buffer.from('PK\x05\x06', 'latin1'));
   const entries = [];
-  for (
-    let at = bytes.readUInt32LE(end + 16);
-    bytes.readUInt32LE(at) === CENTRAL_ENTRY;
-  ) {
+  for (let at = bytes.readUInt32LE(end + 16); bytes.readUInt32LE(at) === CENTRAL_ENTRY;) {
     const [name_length, extra, comment] = [28, 30, 32].map((field) =>
       bytes.readUInt16LE(at + field),
     );
     const size = bytes.readUInt32LE(at + 24);
     const local = bytes.readUInt32LE(at + 42);
-    const start =
-      local +
-      30 +
-      bytes.readUInt16LE(local + 26) +
-      bytes.readUInt16LE(local + 28);
+    const start = local + 30 + bytes.readUInt16LE(local + 26) + bytes.readUInt16LE(local + 28);
     entries.push({
-      name: bytes.toString("utf8", at + 46, at + 46 + name_length),
+      name: bytes.toString('utf8', at + 46, at + 46 + name_length),
       is_stored: bytes.readUInt16LE(at + 10) === STORED,
       content: bytes.subarray(start, start + size),
     });

@@ -14,7 +14,7 @@ export const export_words = {
   width: 'Width',
   height: 'Height',
   keep_shape: 'Keep the view’s shape',
-  keep_shape_hint: 'Else a wider picture shows more at its sides, and a narrower one less.',
+  free_shape_hint: 'A wider picture shows more at its sides, a narrower one less.',
   presets: {
     view: 'As the view',
     double: 'Twice the view',

@@ -15,7 +15,7 @@ export const export_words: Words['export'] = {
   width: 'Breite',
   height: 'Höhe',
   keep_shape: 'Form der Ansicht behalten',
-  keep_shape_hint: 'Sonst zeigt ein breiteres Bild an den Seiten mehr, ein schmaleres weniger.',
+  free_shape_hint: 'Ein breiteres Bild zeigt an den Seiten mehr, ein schmaleres weniger.',
   presets: {
     view: 'Wie die Ansicht',
     double: 'Doppelte Ansicht',
