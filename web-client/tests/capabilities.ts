@@ -95,7 +95,6 @@ export const capabilities: CapabilitiesMessage = {
     viewport_side_px: 4096,
     still_side_px: 8192,
     viewport_pixels: 8388608,
-    still_side_px: 8192,
     frames_in_flight: 2,
   },
   modules: {

@@ -145,7 +145,7 @@ describe('the export on a phone', { skip }, () => {
     await viewer.page.getByRole('button', { name: 'Export a picture or a film' }).tap();
     await viewer.page.getByRole('button', { name: 'Save the picture' }).waitFor();
     await viewer.screenshot('phone-export-picture');
-    await viewer.page.getByRole('button', { name: 'Film' }).tap();
+    await viewer.page.getByRole('button', { name: 'Film', exact: true }).tap();
     await viewer.page.getByRole('combobox', { name: 'Format' }).waitFor();
     await viewer.screenshot('phone-export-film');
     await assertAccessible(viewer, 'the settings of a film on a phone');

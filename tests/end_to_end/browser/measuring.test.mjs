@@ -6,6 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
+import { assertAccessible } from './support/accessible.mjs';
 import { DESKTOP, openBrowser, PHONE, skip } from './support/browser.mjs';
 import { metaImage } from './support/meta_image.mjs';
 import { isStandIn, Server } from './support/server.mjs';
@@ -255,6 +256,40 @@ describe('the measuring tools', { skip }, () => {
     assert.match(csv, /\r\nApex,probe,/);
     await viewer.page.getByRole('button', { name: 'Delete Apex' }).click();
     await viewer.page.getByText('Nothing measured in this volume yet.').waitFor();
+  });
+});
+
+describe('what was measured', { skip }, () => {
+  let viewer;
+  servedPage(DESKTOP, (page) => (viewer = page));
+
+  it('is there after a reload, and comes back when a deletion is undone', async () => {
+    const [x, y] = await viewer.stageMiddle();
+    await tool(viewer, 'probe').click();
+    await viewer.page.mouse.click(x, y);
+    await viewer.openTab('Measure');
+    await entry(viewer, 'Probe 1').waitFor();
+    await viewer.page.reload();
+    await viewer.settled();
+    await viewer.openTab('Measure');
+    await entry(viewer, 'Probe 1').waitFor();
+    await viewer.page.getByRole('button', { name: 'Delete Probe 1' }).click();
+    const toast = viewer.page.locator('[data-part=toast]', { hasText: 'Probe 1 was deleted' });
+    await toast.waitFor();
+    await viewer.screenshot('desktop-measurement-deleted');
+    await assertAccessible(viewer, 'a measurement was deleted');
+    await toast.getByRole('button', { name: 'Undo' }).click();
+    await entry(viewer, 'Probe 1').waitFor();
+  });
+
+  it('with a tool in hand, Alt and arrows turn the view', async () => {
+    await tool(viewer, 'distance').click();
+    await viewer.page.locator('[data-part=stage]').focus();
+    const letters = await viewer.edgeLetters();
+    await viewer.after(async () => {
+      for (let press = 0; press < 6; press++) await viewer.page.keyboard.press('Alt+ArrowRight');
+    });
+    assert.notEqual(await viewer.edgeLetters(), letters);
   });
 });
 
