@@ -21,6 +21,22 @@ export class ExportProgress extends SessionElement {
         height: 8px;
         accent-color: var(--accent);
       }
+      progress[value] {
+        appearance: none;
+        border: 0;
+        border-radius: 4px;
+        background: var(--surface-hover);
+        overflow: hidden;
+      }
+      ::-webkit-progress-bar {
+        background: var(--surface-hover);
+      }
+      ::-webkit-progress-value {
+        background: var(--accent);
+      }
+      ::-moz-progress-bar {
+        background: var(--accent);
+      }
       .row {
         display: flex;
         flex-wrap: wrap;

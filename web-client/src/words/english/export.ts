@@ -29,7 +29,7 @@ export const export_words = {
   preset: (name: string, size: string) => `${name} · ${size}`,
   pixels: (width: number, height: number) => `${width} × ${height}`,
   picture_note: (notice: string) =>
-    `Lossless PNG, without marks on it. ${notice}: the file says so, the picture does not.`,
+    `Lossless PNG, with no marks on it. “${notice}” is written in the file, not on the picture.`,
   save_picture: 'Save the picture',
 
   motion: 'Motion',

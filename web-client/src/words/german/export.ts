@@ -30,7 +30,7 @@ export const export_words: Words['export'] = {
   preset: (name, size) => `${name} · ${size}`,
   pixels: (width, height) => `${width} × ${height}`,
   picture_note: (notice) =>
-    `Verlustfreies PNG, ohne Zeichen darauf. ${notice}: das sagt die Datei, nicht das Bild.`,
+    `Verlustfreies PNG, ohne Zeichen darauf. „${notice}“ steht in der Datei, nicht im Bild.`,
   save_picture: 'Bild speichern',
 
   motion: 'Bewegung',
