@@ -40,6 +40,16 @@ describe('the export', { skip }, () => {
     await viewer.choose('Frames per second', '10');
   }
 
+  /** A film that is refused has its reason in the dialog. */
+  async function makeFilm() {
+    const film = await download(viewer, async () => {
+      await button('Make the film').click();
+      await outcome().waitFor();
+      assert.match(await outcome().textContent(), /Saved/);
+    });
+    return film;
+  }
+
   it('saves a picture of 3000 by 2000, with its notice in the file', async () => {
     await open('Picture');
     await setSize(3000, 2000);
@@ -73,7 +83,7 @@ describe('the export', { skip }, () => {
     await viewer.screenshot('desktop-export-film');
     await assertAccessible(viewer, 'the settings of a film');
     const before = await viewer.data('revision');
-    const { name, bytes } = await download(viewer, () => button('Make the film').click());
+    const { name, bytes } = await makeFilm();
     assert.match(name, /^cutaway .*\.webm$/);
     const { width, height, frames, seconds } = await videoFacts(bytes);
     assert.deepEqual([width, height, frames], [160, 120, 10]);
@@ -84,7 +94,7 @@ describe('the export', { skip }, () => {
   it('makes numbered pictures in a ZIP, stored as they are', async () => {
     await shortTurntable();
     await viewer.choose('Format', 'Numbered PNG in a ZIP');
-    const { name, bytes } = await download(viewer, () => button('Make the film').click());
+    const { name, bytes } = await makeFilm();
     assert.match(name, /^cutaway .*\.zip$/);
     const [notice, ...frames] = zipEntries(bytes);
     assert.match(notice.content.toString('utf8'), /Not for diagnostic use/);
@@ -131,7 +141,7 @@ describe('the export', { skip }, () => {
     await setSize(160, 120);
     await viewer.choose('Frames per second', '10');
     await viewer.choose('Format', 'WebM');
-    const { bytes } = await download(viewer, () => button('Make the film').click());
+    const { bytes } = await makeFilm();
     const { frames } = await videoFacts(bytes);
     assert.ok(frames > 0, `${frames} frames`);
   });

@@ -4,7 +4,7 @@ import '@awesome.me/webawesome/dist/components/select/select.js';
 import '@awesome.me/webawesome/dist/components/slider/slider.js';
 import '@awesome.me/webawesome/dist/components/switch/switch.js';
 import { html, LitElement, nothing } from 'lit';
-import { customElement, property } from 'lit/decorators.js';
+import { customElement, property, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import type {
   BooleanControl,
@@ -40,6 +40,9 @@ export class ControlField extends LitElement {
   @property({ attribute: false }) bare = false;
   @property({ attribute: false }) change!: (patch: JsonObject) => void;
 
+  /** A number on its way: what else changes on the page meanwhile leaves it alone. */
+  @state() private typed: string | undefined;
+
   static override styles = [shared, control_styles, control_field_styles];
 
   override render() {
@@ -71,6 +74,7 @@ export class ControlField extends LitElement {
 
   private setNumber(text: number | string, { minimum, maximum }: NumberControl): void {
     const value = typeof text === 'string' ? Number.parseFloat(text) : text;
+    this.typed = undefined;
     if (Number.isFinite(value)) this.set(Math.min(maximum, Math.max(minimum, value)));
     this.requestUpdate();
   }
@@ -92,8 +96,10 @@ export class ControlField extends LitElement {
             min=${control.minimum}
             max=${control.maximum}
             step="any"
-            .value=${live(shown)}
+            .value=${live(this.typed ?? shown)}
+            @input=${(event: Event) => (this.typed = String(inputValue(event)))}
             @change=${(event: Event) => this.setNumber(inputValue(event), control)}
+            @blur=${() => (this.typed = undefined)}
           /><span class="unit">${unitText(control.unit)}</span>
         </span>
       </div>

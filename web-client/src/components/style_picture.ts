@@ -26,6 +26,7 @@ export class StylePicture extends LitElement {
         display: block;
         width: 100%;
         height: 100%;
+        object-fit: cover;
         animation: appear 200ms ease-out;
       }
       @keyframes appear {

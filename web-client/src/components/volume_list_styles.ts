@@ -41,6 +41,11 @@ export const volume_list_styles = css`
     background: var(--page);
     color: var(--line-strong);
   }
+  /* As high as the texts beside it. */
+  .picture cutaway-style-picture {
+    height: 100%;
+    aspect-ratio: auto;
+  }
   .picture wa-icon {
     justify-self: center;
     font-size: 26px;
