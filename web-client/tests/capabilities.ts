@@ -126,6 +126,12 @@ export const volume: VolumeSummary = {
   units: 'HU',
   size_voxels: [4, 4, 4],
   spacing_mm: [1, 1, 2],
+  origin_mm: [-2, -2, -4],
+  axes: [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
   bounds_minimum_mm: [-2, -2, -4],
   bounds_maximum_mm: [2, 2, 4],
   diagonal_mm: 90,
