@@ -67,6 +67,14 @@ export function summary({ entry, radii_mm }) {
     units: 'HU',
     size_voxels: entry.size_voxels,
     spacing_mm: entry.spacing_mm,
+    origin_mm: entry.size_voxels.map(
+      (voxels, axis) => -((voxels - 1) / 2) * entry.spacing_mm[axis],
+    ),
+    axes: [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ],
     bounds_minimum_mm: radii_mm.map((radius) => -radius),
     bounds_maximum_mm: radii_mm,
     diagonal_mm: 2 * Math.hypot(...radii_mm),

@@ -1,6 +1,9 @@
 // What a key does, and where the help sheet lists it.
 import type { Commands } from '../session/commands.ts';
 import type { Measuring } from '../session/measuring.ts';
+import type { Slicing } from '../session/slicing.ts';
+import type { ViewLayout } from '../session/view_layout.ts';
+import type { ViewName } from '../state/views.ts';
 import type { Words } from '../words/words.ts';
 
 export type KeyGroup = keyof Words['keys']['groups'];
@@ -8,6 +11,14 @@ export type KeyGroup = keyof Words['keys']['groups'];
 export interface KeyTarget {
   readonly commands: Commands;
   readonly measuring: Measuring;
+  readonly slicing: Slicing;
+  readonly layout: ViewLayout;
+}
+
+/** Which picture has the focus, and how many device pixels a CSS pixel of it has. */
+export interface KeyPlace {
+  readonly view: ViewName;
+  readonly device_pixels: number;
 }
 
 export interface KeyBinding {
@@ -18,7 +29,13 @@ export interface KeyBinding {
   /** Wherever the focus is, but in a text field; else only while the picture has it. */
   readonly anywhere?: boolean;
   /** Whether the event is one of them; if so it has been carried out. */
-  readonly apply: (event: KeyboardEvent, target: KeyTarget, device_pixels: number) => boolean;
+  readonly apply: (event: KeyboardEvent, target: KeyTarget, place: KeyPlace) => boolean;
+}
+
+/** `names` as of KeyboardEvent.key, and 'Space'; without Ctrl, Alt or Command. */
+export function isPlainKey(event: KeyboardEvent, names: string): boolean {
+  if (event.ctrlKey || event.metaKey || event.altKey) return false;
+  return names.split(' ').includes(event.key === ' ' ? 'Space' : event.key);
 }
 
 /** Right and down in the picture. */

@@ -1,17 +1,17 @@
 // Keys of the measuring tools. With a tool in hand the arrows move its point, and not the camera.
 import type { Measuring } from '../session/measuring.ts';
 import type { MeasurementKind } from '../state/measurement.ts';
-import { ARROWS, type KeyBinding } from './key_binding.ts';
+import type { ViewName } from '../state/views.ts';
+import { ARROWS, isPlainKey, type KeyBinding } from './key_binding.ts';
 
 const STEP_CSS_PIXELS = 12;
 
 /** `action` says whether the key meant anything now. */
-function onKey(names: string, action: (measuring: Measuring) => boolean): KeyBinding['apply'] {
-  return (event, { measuring }) => {
-    const plain = !event.ctrlKey && !event.metaKey && !event.altKey;
-    const name = event.key === ' ' ? 'Space' : event.key;
-    return plain && names.split(' ').includes(name) && action(measuring);
-  };
+function onKey(
+  names: string,
+  action: (measuring: Measuring, view: ViewName) => boolean,
+): KeyBinding['apply'] {
+  return (event, { measuring }, { view }) => isPlainKey(event, names) && action(measuring, view);
 }
 
 const takeTool = (name: string, kind: MeasurementKind): KeyBinding['apply'] =>
@@ -20,12 +20,12 @@ const takeTool = (name: string, kind: MeasurementKind): KeyBinding['apply'] =>
     return true;
   });
 
-const movePoint: KeyBinding['apply'] = (event, { measuring }, device_pixels) => {
+const movePoint: KeyBinding['apply'] = (event, { measuring }, { view, device_pixels }) => {
   const direction = ARROWS[event.key];
   if (!direction || !measuring.has_tool || event.altKey || event.ctrlKey || event.metaKey)
     return false;
   const step_px = (event.shiftKey ? 1 : STEP_CSS_PIXELS) * device_pixels;
-  measuring.nudge(direction[0] * step_px, direction[1] * step_px);
+  measuring.nudge(view, direction[0] * step_px, direction[1] * step_px);
   return true;
 };
 
@@ -34,7 +34,11 @@ const BINDINGS: readonly Omit<KeyBinding, 'group'>[] = [
   { keys: 'a', meaning: 'measure_angle', apply: takeTool('a', 'angle') },
   { keys: 'v', meaning: 'measure_probe', apply: takeTool('v', 'probe') },
   { keys: '(Shift +) ← ↑ → ↓', meaning: 'move_point', apply: movePoint },
-  { keys: 'Enter', meaning: 'place_point', apply: onKey('Enter Space', (m) => m.place()) },
+  {
+    keys: 'Enter',
+    meaning: 'place_point',
+    apply: onKey('Enter Space', (m, view) => m.place(view)),
+  },
   {
     keys: 'Backspace',
     meaning: 'take_back_point',

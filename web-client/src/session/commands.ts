@@ -167,7 +167,7 @@ export class Commands {
 
   resize(viewport: Viewport): void {
     this.store.update({ viewport });
-    this.link.sendViewport(viewport);
+    this.link.sendViewport('3d', viewport);
   }
 
   /** The picture comes as a file once the server has rendered it. */

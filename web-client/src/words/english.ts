@@ -6,6 +6,7 @@ import { measure } from './english/measure.ts';
 import { messages } from './english/messages.ts';
 import { page } from './english/page.ts';
 import { panel } from './english/panel.ts';
+import { slices } from './english/slices.ts';
 import { numberIn } from './plural.ts';
 import { AS_SERVED, type ServedWords } from './served.ts';
 
@@ -24,5 +25,6 @@ export const english = {
   page,
   panel,
   served,
+  slices,
   volume_browser,
 };
