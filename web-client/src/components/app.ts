@@ -11,7 +11,7 @@ import { SessionElement } from './session_element.ts';
 import './status_line.ts';
 import './toast_stack.ts';
 import './top_bar.ts';
-import './viewport.ts';
+import './views.ts';
 import { words } from '../words/words.ts';
 
 @customElement('cutaway-app')
@@ -29,7 +29,8 @@ export class CutawayApp extends SessionElement {
     'stalled',
   ] as const;
 
-  @property({ attribute: false }) canvas!: HTMLCanvasElement;
+  /** Of the views, by number. */
+  @property({ attribute: false }) canvases!: readonly HTMLCanvasElement[];
 
   static override styles = [
     shared,
@@ -108,7 +109,7 @@ export class CutawayApp extends SessionElement {
     return html`
       <cutaway-top-bar role="banner" .session=${this.session}></cutaway-top-bar>
       <main>
-        <cutaway-viewport .session=${this.session} .canvas=${this.canvas}></cutaway-viewport>
+        <cutaway-views .session=${this.session} .canvases=${this.canvases}></cutaway-views>
         ${this.state.preferences.status_line ? html`<cutaway-status-line .session=${this.session}></cutaway-status-line>` : nothing}
       </main>
       <aside aria-label=${words().page.volumes_and_settings}>
