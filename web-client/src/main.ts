@@ -1,4 +1,4 @@
-// Wiring only: the canvas, the session that paints on it, and the page around them.
+// Wiring only: the canvases, the session that paints on them, and the page around them.
 import './styles/theme.css';
 import './icons/register.ts';
 import { CutawayApp } from './components/app.ts';
@@ -12,6 +12,7 @@ import { keepLook } from './preferences/look.ts';
 import { keepPreferences, PreferenceStore, sayLeftOut } from './preferences/preference_store.ts';
 import { DEFAULT_PREFERENCES } from './preferences/preferences.ts';
 import { keepSpeaking } from './preferences/speech.ts';
+import { VIEW_NAMES } from './state/views.ts';
 
 /** An address that is revoked before the browser has read it saves nothing. */
 const SAVING_TAKES_MS = 60_000;
@@ -24,9 +25,9 @@ function saveFile(name: string, content: Blob): void {
   setTimeout(() => URL.revokeObjectURL(link.href), SAVING_TAKES_MS);
 }
 
-const canvas = document.createElement('canvas');
+const canvases = VIEW_NAMES.map(() => document.createElement('canvas'));
 const openStorage = () => localStorage;
-const session = openViewerSession(canvas, webSocketUrl(location), { saveFile, openStorage });
+const session = openViewerSession(canvases, webSocketUrl(location), { saveFile, openStorage });
 const defaults = { ...DEFAULT_PREFERENCES, panel_open: !isPhone() };
 const fault = keepPreferences(session, new PreferenceStore(openStorage), defaults);
 keepLook(session, document, matchMedia('(prefers-color-scheme: light)'));
@@ -41,5 +42,5 @@ session.measured.restore();
 
 const app = new CutawayApp();
 app.session = session;
-app.canvas = canvas;
+app.canvases = canvases;
 document.body.append(app);

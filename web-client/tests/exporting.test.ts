@@ -151,7 +151,10 @@ describe('a recording', () => {
   const press = (key: string, shiftKey = false): void => {
     const event = { key, shiftKey, ctrlKey: false, metaKey: false, altKey: false };
     const handled = { ...event, preventDefault: () => undefined };
-    applyKey(handled as unknown as KeyboardEvent, harness.session, 1);
+    applyKey(handled as unknown as KeyboardEvent, harness.session, {
+      view: '3d',
+      device_pixels: 1,
+    });
   };
 
   it('keeps what the user does until it is ended, and opens the dialog', () => {

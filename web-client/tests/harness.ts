@@ -23,6 +23,7 @@ export const frame = (input: number, revision: number): ShownFrame => ({
   type: 'live',
   still: false,
   lossless: false,
+  view: 0,
   frame: 1,
   revision,
   input,

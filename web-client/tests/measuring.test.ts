@@ -36,14 +36,14 @@ function answer(...position_mm: Vector3 | []): void {
 }
 
 function place(...position_mm: Vector3): void {
-  measuring().place([10, 10]);
+  measuring().place('3d', [10, 10]);
   answer(...position_mm);
 }
 
 const press = (key: string, shiftKey = false, altKey = false): boolean => {
   const preventDefault = vi.fn();
   const event = { key, shiftKey, altKey, ctrlKey: false, metaKey: false, preventDefault };
-  applyKey(event as unknown as KeyboardEvent, harness.session, 2);
+  applyKey(event as unknown as KeyboardEvent, harness.session, { view: '3d', device_pixels: 2 });
   return preventDefault.mock.calls.length > 0;
 };
 
@@ -68,7 +68,7 @@ describe('a distance', () => {
 
   it('takes no point where nothing is, and says so', () => {
     measuring().take('distance');
-    measuring().place([10, 10]);
+    measuring().place('3d', [10, 10]);
     answer();
     expect(harness.state.measure.draft?.points).toEqual([]);
     expect(harness.state.toasts).toMatchObject([{ title: 'No surface here' }]);
@@ -77,13 +77,13 @@ describe('a distance', () => {
   it('asks for what the user sees: a change that waits goes out first', () => {
     measuring().take('distance');
     harness.session.commands.orbit(10, 0);
-    measuring().place([10, 10]);
+    measuring().place('3d', [10, 10]);
     expect(harness.sent.slice(-2).map(({ type }) => type)).toEqual(['scene', 'pick']);
   });
 
   it('is not placed by an answer that comes after the tool was put away', () => {
     measuring().take('probe');
-    measuring().place([10, 10]);
+    measuring().place('3d', [10, 10]);
     measuring().take('probe');
     answer(1, 2, 3);
     expect(list()).toEqual([]);
@@ -93,7 +93,7 @@ describe('a distance', () => {
 describe('the point under the pointer', () => {
   it('is asked for one at a time, and then the newest', () => {
     measuring().take('probe');
-    for (const x of [1, 2, 3]) measuring().point([x, 0]);
+    for (const x of [1, 2, 3]) measuring().point('3d', [x, 0]);
     expect(picks().map(({ position_px }) => position_px)).toEqual([[1, 0]]);
     answer(1, 1, 1);
     expect(harness.state.measure.candidate).toMatchObject({ answered: false, position_px: [3, 0] });
@@ -110,17 +110,17 @@ describe('the point under the pointer', () => {
 
   it('is asked for anew once the picture has changed', () => {
     measuring().take('probe');
-    measuring().point([5, 5]);
+    measuring().point('3d', [5, 5]);
     answer(1, 1, 1);
     harness.emit({ kind: 'shown', frame: { ...frame(1, 1), still: true } });
     expect(picks()).toHaveLength(2);
   });
 
   it('is none without a tool, and none after the pointer has left', () => {
-    measuring().point([5, 5]);
+    measuring().point('3d', [5, 5]);
     expect(picks()).toEqual([]);
     measuring().take('probe');
-    measuring().point([5, 5]);
+    measuring().point('3d', [5, 5]);
     measuring().pointAway();
     answer(1, 1, 1);
     expect(harness.state.measure.candidate).toBeUndefined();
@@ -128,9 +128,9 @@ describe('the point under the pointer', () => {
 
   it('waits for no answer of a connection that was lost', () => {
     measuring().take('probe');
-    measuring().point([5, 5]);
+    measuring().point('3d', [5, 5]);
     harness.emit({ kind: 'link', state: { phase: 'connecting' } });
-    measuring().point([6, 6]);
+    measuring().point('3d', [6, 6]);
     expect(picks()).toHaveLength(2);
   });
 });
@@ -155,7 +155,7 @@ describe('the keyboard', () => {
 
   it('keeps the point within the picture', () => {
     press('v');
-    measuring().point([1, 1], true);
+    measuring().point('3d', [1, 1], true);
     press('ArrowLeft');
     press('ArrowUp');
     expect(harness.state.measure.candidate?.position_px).toEqual([0, 0]);
@@ -207,9 +207,9 @@ describe('what was measured', () => {
 
   it('is chosen, moved over the surface, renamed and deleted', () => {
     expect(harness.state.measure.selected).toBe(id);
-    measuring().movePoint(id, 0, [20, 20]);
+    measuring().movePoint(id, 0, '3d', [20, 20]);
     answer(4, 5, 6);
-    measuring().movePoint(id, 0, [30, 20]);
+    measuring().movePoint(id, 0, '3d', [30, 20]);
     answer();
     measured().rename(id, 'Apex');
     expect(list()).toMatchObject([{ name: 'Apex', points: [{ position_mm: [4, 5, 6] }] }]);

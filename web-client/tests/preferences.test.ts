@@ -18,6 +18,9 @@ const CHOSEN: Preferences = {
   panel_open: false,
   hints_seen: true,
   status_line: true,
+  layout: 'focus',
+  main_view: 'axial',
+  convention: 'neurological',
 };
 
 function storage(text: string | null = null) {

@@ -28,6 +28,7 @@ function frameBytes({
   view.setUint8(5, type);
   view.setUint8(6, flags);
   view.setUint16(8, length, true);
+  view.setUint16(10, 2, true);
   view.setUint32(12, frame, true);
   view.setUint32(16, 21, true);
   view.setUint32(20, 4_000_000_000, true);
@@ -47,6 +48,7 @@ describe('the frame header', () => {
       type: 'live',
       still: true,
       lossless: false,
+      view: 2,
       frame: 7,
       revision: 21,
       input: 4_000_000_000,

@@ -188,22 +188,22 @@ describe('what the picture shows', () => {
   const scene = (volume: string): Scene => ({ volume });
 
   it('is the newest step that the frame has reached, by input or by revision', () => {
-    const shown = new ShownView();
+    const shown = new ShownView<Scene>();
     shown.changedByServer(2, scene('opened'));
     shown.changedByInput(10, scene('turned'));
     shown.changedByServer(5, scene('dragged'));
-    expect(shown.sceneOf({ input: 3, revision: 1 })).toBeUndefined();
-    expect(shown.sceneOf({ input: 3, revision: 2 })).toEqual(scene('opened'));
-    expect(shown.sceneOf({ input: 10, revision: 4 })).toEqual(scene('turned'));
-    expect(shown.sceneOf({ input: 10, revision: 5 })).toEqual(scene('dragged'));
-    expect(shown.sceneOf({ input: 11, revision: 6 })).toEqual(scene('dragged'));
+    expect(shown.shownBy({ input: 3, revision: 1 })).toBeUndefined();
+    expect(shown.shownBy({ input: 3, revision: 2 })).toEqual(scene('opened'));
+    expect(shown.shownBy({ input: 10, revision: 4 })).toEqual(scene('turned'));
+    expect(shown.shownBy({ input: 10, revision: 5 })).toEqual(scene('dragged'));
+    expect(shown.shownBy({ input: 11, revision: 6 })).toEqual(scene('dragged'));
   });
 
   it('stays through a new session', () => {
-    const shown = new ShownView();
+    const shown = new ShownView<Scene>();
     shown.changedByInput(900, scene('old'));
     shown.restart(scene('old'));
-    expect(shown.sceneOf({ input: 1, revision: 1 })).toEqual(scene('old'));
+    expect(shown.shownBy({ input: 1, revision: 1 })).toEqual(scene('old'));
   });
 });
 

@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { assertAccessible } from './support/accessible.mjs';
-import { DESKTOP, PHONE, skip } from './support/browser.mjs';
+import { DESKTOP, PHONE, skip, TABLET } from './support/browser.mjs';
+import { Slices } from './support/slices.mjs';
 import { served } from './support/suite.mjs';
 import { Viewer } from './support/viewer.mjs';
 
@@ -22,9 +23,9 @@ const FIXED_PARTS = [
 ];
 
 /** Boxes of all visible parts, with their names. */
-async function visibleBoxes(page) {
+async function visibleBoxes(page, parts) {
   const boxes = [];
-  for (const part of FIXED_PARTS) {
+  for (const part of parts) {
     for (const element of await page.locator(part).all()) {
       const box = (await element.isVisible()) && (await element.boundingBox());
       if (box)
@@ -43,8 +44,8 @@ const overlap = (a, b) =>
   a.y + a.height > b.y + 0.5 &&
   b.y + b.height > a.y + 0.5;
 
-async function assertLayout({ page }) {
-  const boxes = await visibleBoxes(page);
+async function assertLayout({ page }, parts = FIXED_PARTS) {
+  const boxes = await visibleBoxes(page, parts);
   const { width, height } = page.viewportSize();
   const scrollable = await page.evaluate(() => {
     const { scrollWidth, scrollHeight } = document.documentElement;
@@ -90,6 +91,18 @@ const UNFOLD = {
   },
 };
 
+const SLICE_PARTS = [
+  'cutaway-orientation-marks span',
+  'cutaway-picture-notices span',
+  'cutaway-scale-bar .scale',
+  'cutaway-slice-labels .name',
+  'cutaway-slice-labels .window',
+  'cutaway-slice-scroller input',
+  'cutaway-enlarge-button button',
+  'cutaway-orientation-cube button:first-child',
+  'cutaway-measure-toolbar [role=toolbar]',
+];
+
 describe('layout and accessibility', { skip }, () => {
   const suite = served();
 
@@ -120,6 +133,26 @@ describe('layout and accessibility', { skip }, () => {
       await viewer.page.locator('[data-part=toast]').waitFor();
       await assertAccessible(viewer, 'message');
       await viewer.screenshot(`${name}-message`);
+      await viewer.close();
+    });
+  }
+
+  for (const [name, options] of Object.entries({
+    desktop: DESKTOP,
+    tablet: TABLET,
+    phone: PHONE,
+  })) {
+    it(`${name}: slices beside the volume`, async () => {
+      const viewer = await Viewer.open(suite.browser, suite.server.url, options);
+      await viewer.settled();
+      const slices = new Slices(viewer);
+      await viewer.page.locator('[data-part=stage]').focus();
+      for (const layout of ['grid', 'focus']) {
+        await viewer.page.keyboard.press('g');
+        await viewer.page.locator(`[data-part=views][data-layout=${layout}]`).waitFor();
+        await slices.settled();
+        await assertLayout(viewer, SLICE_PARTS);
+      }
       await viewer.close();
     });
   }

@@ -5,6 +5,7 @@ export function frameMessage(header, picture) {
   bytes.write('CTWF', 0, 'latin1');
   bytes.set([1, header.type ?? 1, header.flags], 4);
   bytes.writeUInt16LE(56, 8);
+  bytes.writeUInt16LE(header.view ?? 0, 10);
   bytes.writeUInt32LE(header.frame, 12);
   bytes.writeUInt32LE(header.revision, 16);
   bytes.writeUInt32LE(header.input, 20);

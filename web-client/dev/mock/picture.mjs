@@ -128,22 +128,47 @@ function cutawayColour(scene, volume, light, ray, hole) {
 }
 
 export function drawScene(scene, volume, width, height) {
-  const pixels = Buffer.alloc((width * 3 + 1) * height);
   const axes = cameraAxes(scene.camera);
-  const [x, y, z] = scene.light.direction;
-  const light = unit(add(add(scale(axes.right, x), scale(axes.up, y)), scale(axes.backward, z)));
+  const [right, up, towards] = scene.light.direction;
+  const light = unit(
+    add(add(scale(axes.right, right), scale(axes.up, up)), scale(axes.backward, towards)),
+  );
+  return drawPixels(width, height, (x, y) => pixelColour(scene, volume, axes, light, x, y));
+}
+
+const inside = (point, ball) =>
+  subtract(point, ball.centre).reduce(
+    (sum, part, axis) => sum + (part / ball.radii[axis]) ** 2,
+    0,
+  ) < 1;
+
+/** Hounsfield units of the shapes: air, soft tissue, bone. */
+export function valueAt(volume, point) {
+  if (volume.bone.some((ball) => inside(point, ball))) return 700;
+  return volume.skin.some((ball) => inside(point, ball)) ? 40 : -1000;
+}
+
+/** A slice, seen along its normal: `plane` as of slice.mjs. */
+export function drawSlice(scene, volume, plane, width, height) {
+  const { centre, width: range } = scene.slices.window;
+  return drawPixels(width, height, (x, y) => {
+    const value = valueAt(volume, pointOf(plane, x / 2, y / 2));
+    return Array(3).fill((value - centre) / range + 0.5);
+  });
+}
+
+/** `x` and `y` from the middle, in heights of the picture; up is positive. */
+export const pointOf = ({ centre, right, up, height_mm }, x, y) =>
+  add(centre, add(scale(right, x * height_mm), scale(up, y * height_mm)));
+
+/** `colourAt` takes places from the middle in half heights of the picture. */
+function drawPixels(width, height, colourAt) {
+  const pixels = Buffer.alloc((width * 3 + 1) * height);
   let offset = 0;
   for (let row = 0; row < height; row++) {
     offset += 1;
     for (let column = 0; column < width; column++) {
-      const colour = pixelColour(
-        scene,
-        volume,
-        axes,
-        light,
-        (2 * column + 1 - width) / height,
-        1 - (2 * row + 1) / height,
-      );
+      const colour = colourAt((2 * column + 1 - width) / height, 1 - (2 * row + 1) / height);
       for (const part of colour)
         pixels[offset++] = Math.round(Math.min(1, Math.max(0, part)) * 255);
     }

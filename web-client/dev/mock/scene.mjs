@@ -68,6 +68,8 @@ export function resolve(document, volume, viewport) {
     radius_mm: 48,
   };
   const { focus, context, lens, light, background } = look(document);
+  const middle = { centre_mm: [0, 0, 0] };
+  const { slices } = document;
   return {
     version: 1,
     volume: volume.entry.id,
@@ -78,5 +80,14 @@ export function resolve(document, volume, viewport) {
     lens: { ...place, ...document.lens, ...lens },
     light,
     background,
+    slices: {
+      ...filled('slices', ['superior', 'anterior', 'convention'], slices),
+      crosshair_mm: [0, 0, 0],
+      ...slices,
+      window: { centre: 40, width: 400, ...slices?.window },
+      axial: { ...middle, ...slices?.axial },
+      coronal: { ...middle, ...slices?.coronal },
+      sagittal: { ...middle, ...slices?.sagittal },
+    },
   };
 }

@@ -1,37 +1,34 @@
 // One stand-in session: messages in, frames out, with the credits and the still frame of
 // protocol/README.md.
 import { frameMessage } from './frame.mjs';
-import { drawScene, surfaceUnder } from './picture.mjs';
+import { drawScene, drawSlice, surfaceUnder, valueAt } from './picture.mjs';
 import { mergePatch, resolve } from './scene.mjs';
 import { modules, validateClientMessage, validateScene } from './schemas.mjs';
+import { planeOf, pointUnder } from './slice.mjs';
 import { styles } from './styles.mjs';
+import { MockView } from './view.mjs';
 import { refused, summary, volumes } from './volumes.mjs';
 
-const REST_MS = 200;
 const LOAD_STEP_MS = 60;
-const LIVE_SCALE = 0.15;
-const STILL_SCALE = 0.35;
 
 export class MockSession {
   #socket;
   #document = {};
-  #viewport;
+  #views;
   #volume;
   #scene;
   #revision = 0;
   #input = { input: 0, clock_ms: 0 };
-  #frame = 0;
-  #acknowledged = 0;
-  #dirty = false;
-  #drawing = false;
-  #rest;
   #load;
 
   constructor(socket) {
     this.#socket = socket;
+    this.#views = [0, 1, 2, 3].map(
+      (view) => new MockView(view, socket, (...size) => this.#live(view, ...size)),
+    );
     socket.on('message', (data) => this.#receive(String(data)));
     socket.on('close', () => {
-      clearTimeout(this.#rest);
+      for (const view of this.#views) view.close();
       clearInterval(this.#load);
     });
     const limits = {
@@ -87,9 +84,9 @@ export class MockSession {
     }
     const { input, clock_ms } = message;
     if (message.type === 'ack') {
-      this.#acknowledged = message.frame;
-      return this.#pump();
+      return this.#views[message.view ?? 0].acknowledge(message.frame);
     }
+    if (message.type === 'close_view') return this.#views[message.view].close();
     if (message.type === 'cancel_load') return this.#cancelLoad();
     if (message.type === 'save_still') {
       const scene = mergePatch(this.#scene, message.scene ?? {});
@@ -98,7 +95,8 @@ export class MockSession {
     if (message.type === 'preview') return void setTimeout(() => this.#preview(message));
     if (input !== undefined) this.#input = { input, clock_ms };
     if (message.type === 'viewport') {
-      this.#viewport = { width_px: message.width_px, height_px: message.height_px };
+      const { view = 0, width_px, height_px } = message;
+      this.#views[view].viewport = { width_px, height_px };
       return this.#resolve(false);
     }
     if (message.type === 'pick') return this.#pick(message);
@@ -182,17 +180,27 @@ export class MockSession {
     this.#resolve(true);
   }
 
-  #pick({ request, position_px }) {
+  #pick({ view, request, position_px }) {
+    if (view) return this.#pickInSlice(view, request, position_px);
     const position_mm = this.#scene && surfaceUnder(this.#scene, this.#volume, position_px);
     const value = this.#scene?.context.surface.iso_value;
     const hit = position_mm && { position_mm, value, units: 'HU', branch: 'context' };
     this.#send({ type: 'picked', request, ...hit });
   }
 
+  #pickInSlice(view, request, position_px) {
+    const { viewport } = this.#views[view];
+    if (!this.#scene || !viewport) return this.#send({ type: 'picked', request });
+    const position_mm = pointUnder(this.#plane(view), viewport, position_px);
+    const value = valueAt(this.#volume, position_mm);
+    this.#send({ type: 'picked', request, position_mm, value, units: 'HU' });
+  }
+
   #resolve(tell) {
-    if (!this.#volume || !this.#viewport) return;
+    const { viewport } = this.#views[0];
+    if (!this.#volume || !viewport) return;
     this.#revision += 1;
-    this.#scene = resolve(this.#document, this.#volume, this.#viewport);
+    this.#scene = resolve(this.#document, this.#volume, viewport);
     this.#document = this.#scene;
     if (tell)
       this.#send({
@@ -201,40 +209,21 @@ export class MockSession {
         scene: this.#scene,
         volume: summary(this.#volume),
       });
-    this.#dirty = true;
-    clearTimeout(this.#rest);
-    this.#rest = setTimeout(() => this.#draw(true), REST_MS);
-    this.#pump();
+    const { slices, ...volume } = this.#scene;
+    this.#views[0].change(volume);
+    for (const view of this.#views.slice(1)) view.change([volume.volume, slices]);
   }
 
-  #pump() {
-    if (!this.#dirty || this.#drawing || this.#frame - this.#acknowledged >= 2) return;
-    this.#drawing = true;
-    setImmediate(() => {
-      this.#drawing = false;
-      this.#dirty = false;
-      this.#draw(false);
-    });
+  #live(view, width, height) {
+    const picture =
+      view === 0
+        ? drawScene(this.#scene, this.#volume, width, height)
+        : drawSlice(this.#scene, this.#volume, this.#plane(view), width, height);
+    return { picture, revision: this.#revision, ...this.#input };
   }
 
-  #draw(still) {
-    const began = performance.now();
-    const size = Object.values(this.#viewport).map((side) =>
-      Math.max(1, Math.round(side * (still ? STILL_SCALE : LIVE_SCALE))),
-    );
-    const picture = drawScene(this.#scene, this.#volume, ...size);
-    this.#frame += 1;
-    const header = {
-      frame: this.#frame,
-      revision: this.#revision,
-      ...this.#input,
-      flags: still ? 1 : 0,
-      viewport: this.#viewport,
-    };
-    const [width, height] = size;
-    this.#socket.send(
-      frameMessage({ ...header, width, height, render_ms: performance.now() - began }, picture),
-    );
+  #plane(view) {
+    return planeOf(this.#scene, this.#volume, view, this.#views[view].viewport);
   }
 
   #picture(scene, { width_px, height_px }, volume = this.#volume) {

@@ -67,7 +67,9 @@ export function summary({ entry, radii_mm }) {
     units: 'HU',
     size_voxels: entry.size_voxels,
     spacing_mm: entry.spacing_mm,
-    origin_mm: radii_mm.map((radius) => -radius),
+    origin_mm: entry.size_voxels.map(
+      (voxels, axis) => -((voxels - 1) / 2) * entry.spacing_mm[axis],
+    ),
     axes: [
       [1, 0, 0],
       [0, 1, 0],

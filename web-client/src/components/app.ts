@@ -13,7 +13,7 @@ import { SessionElement } from './session_element.ts';
 import './status_line.ts';
 import './toast_stack.ts';
 import './top_bar.ts';
-import './viewport.ts';
+import './views.ts';
 import { words } from '../words/words.ts';
 
 @customElement('cutaway-app')
@@ -31,7 +31,8 @@ export class CutawayApp extends SessionElement {
     'stalled',
   ] as const;
 
-  @property({ attribute: false }) canvas!: HTMLCanvasElement;
+  /** Of the views, by number. */
+  @property({ attribute: false }) canvases!: readonly HTMLCanvasElement[];
 
   static override styles = [
     shared,
@@ -63,7 +64,7 @@ export class CutawayApp extends SessionElement {
       :host([data-panel='closed']) aside {
         display: none;
       }
-      cutaway-viewport,
+      cutaway-views,
       cutaway-export-chip {
         grid-area: 1 / 1;
       }
@@ -119,7 +120,7 @@ export class CutawayApp extends SessionElement {
     return html`
       <cutaway-top-bar role="banner" .session=${this.session}></cutaway-top-bar>
       <main>
-        <cutaway-viewport .session=${this.session} .canvas=${this.canvas}></cutaway-viewport>
+        <cutaway-views .session=${this.session} .canvases=${this.canvases}></cutaway-views>
         ${this.state.preferences.status_line ? html`<cutaway-status-line .session=${this.session}></cutaway-status-line>` : nothing}
         <cutaway-export-chip .session=${this.session}></cutaway-export-chip>
       </main>

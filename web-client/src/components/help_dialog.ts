@@ -57,6 +57,8 @@ export class HelpDialog extends SessionElement {
     >
       <h3>${keys.gestures_heading}</h3>
       <dl>${Object.values(keys.gestures).map(([what, meaning]) => row(what, meaning))}</dl>
+      <h3>${keys.slice_gestures_heading}</h3>
+      <dl>${Object.values(keys.slice_gestures).map(([what, meaning]) => row(what, meaning))}</dl>
       <h3>${keys.keys_heading}</h3>
       ${keyList()}
       <p class="quiet small about">

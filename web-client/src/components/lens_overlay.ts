@@ -10,6 +10,7 @@ import { pixelSizeMm, projectPx, type Camera, type Point, type Viewport } from '
 import { pictureToElement } from '../view/picture_fit.ts';
 import { sphereOutlinePx } from '../view/sphere_outline.ts';
 import type { Vector3 } from '../view/vector.ts';
+import { lens_styles } from '../styles/lens.ts';
 import { overlay_styles } from '../styles/overlay.ts';
 import { shared } from '../styles/shared.ts';
 import { SessionElement } from './session_element.ts';
@@ -43,6 +44,7 @@ export class LensOverlay extends SessionElement {
   static override styles = [
     shared,
     overlay_styles,
+    lens_styles,
     css`
       polygon {
         fill: none;
@@ -57,53 +59,6 @@ export class LensOverlay extends SessionElement {
         stroke-opacity: 0.35;
         stroke-width: 3.5;
         stroke-dasharray: none;
-      }
-      button {
-        position: absolute;
-        display: grid;
-        place-items: center;
-        width: 44px;
-        height: 44px;
-        margin: -22px 0 0 -22px;
-        padding: 0;
-        border: 0;
-        border-radius: 50%;
-        background: transparent;
-        color: #fff;
-        touch-action: none;
-        pointer-events: auto;
-      }
-      .grip {
-        display: grid;
-        place-items: center;
-        width: 30px;
-        height: 30px;
-        border: 1.5px solid rgb(255 255 255 / 80%);
-        border-radius: 50%;
-        background: rgb(10 13 15 / 58%);
-        opacity: 0.75;
-        transition: opacity 120ms;
-      }
-      .size .grip {
-        width: 16px;
-        height: 16px;
-        background: rgb(10 13 15 / 80%);
-      }
-      button:hover .grip,
-      button:focus-visible .grip,
-      .dragging .grip {
-        opacity: 1;
-        background: var(--on-picture-accent);
-        color: var(--on-picture-on-accent);
-      }
-      .move {
-        cursor: grab;
-      }
-      .move.dragging {
-        cursor: grabbing;
-      }
-      .size {
-        cursor: ew-resize;
       }
       wa-icon {
         font-size: 16px;

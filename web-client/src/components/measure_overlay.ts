@@ -4,28 +4,25 @@ import { customElement } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import { styleMap } from 'lit/directives/style-map.js';
 import { heldPoint } from '../interaction/held_point.ts';
+import { ARROWS } from '../interaction/key_binding.ts';
 import { picturePoint } from '../interaction/picture_point.ts';
 import { measurementsOf } from '../state/measure_state.ts';
 import { resultOf, type MeasuredPoint, type Measurement } from '../state/measurement.ts';
 import { resultText } from '../state/measure_text.ts';
 import { shownProjection } from '../state/scene_parts.ts';
+import { shownSlice, viewportOf } from '../state/slice_views.ts';
 import type { Point } from '../view/camera.ts';
 import { drawMeasurement, type MeasurementDrawing } from '../view/measurement_drawing.ts';
 import { pictureToElement } from '../view/picture_fit.ts';
+import { voxelStepMm } from '../view/slice_geometry.ts';
 import type { ViewProjection } from '../view/view_projection.ts';
 import { overlay_styles } from '../styles/overlay.ts';
 import { shared } from '../styles/shared.ts';
 import { words } from '../words/words.ts';
 import { measure_overlay_styles } from './measure_overlay_styles.ts';
-import { SessionElement } from './session_element.ts';
+import { ViewElement } from './view_element.ts';
 
 const STEP_CSS_PX = 8;
-const ARROWS: Readonly<Record<string, Point>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 
 /** One that is whole, or the draft with the point that would be placed now. */
 interface Drawn extends Pick<Measurement, 'kind' | 'points'> {
@@ -34,12 +31,13 @@ interface Drawn extends Pick<Measurement, 'kind' | 'points'> {
 }
 
 @customElement('cutaway-measure-overlay')
-export class MeasureOverlay extends SessionElement {
+export class MeasureOverlay extends ViewElement {
   protected override readonly draws = [
     'shown',
     'shown_scene',
     'scene',
     'viewport',
+    'slice_views',
     'volume',
     'measure',
   ] as const;
@@ -47,7 +45,7 @@ export class MeasureOverlay extends SessionElement {
   static override styles = [shared, overlay_styles, measure_overlay_styles];
 
   override render() {
-    const view = shownProjection(this.state);
+    const view = shownProjection(this.state, this.view);
     const { measure, volume } = this.state;
     if (!view || !volume) return nothing;
     const all = [...measurementsOf(measure, volume), ...this.draft()].map((one) => ({
@@ -57,15 +55,27 @@ export class MeasureOverlay extends SessionElement {
         one.points.map(({ position_mm }) => position_mm),
         view,
       ),
+      off: this.isOff(one),
     }));
+    const near = all.filter(({ off }) => !off);
     const { width_px, height_px } = view.viewport;
     return html`
       <svg viewBox="0 0 ${width_px} ${height_px}" aria-hidden="true">
-        ${all.map(({ one, drawing }) => this.lines(one, drawing, width_px))} ${this.cross(width_px)}
+        ${all.map(({ one, drawing, off }) => this.lines(one, drawing, width_px, off))}
+        ${this.cross(width_px)}
       </svg>
-      ${all.map(({ one, drawing }) => this.label(one, drawing, view))}
-      ${all.map(({ one, drawing }) => this.handles(one, drawing, view))}
+      ${near.map(({ one, drawing }) => this.label(one, drawing, view))}
+      ${near.map(({ one, drawing }) => this.handles(one, drawing, view))}
     `;
+  }
+
+  /** In a slice: whether a point of it lies in none of the voxels that the plane goes through. */
+  private isOff({ points }: Drawn): boolean {
+    const { volume } = this.state;
+    const view = this.view === '3d' ? undefined : shownSlice(this.state, this.view);
+    if (!view || !volume) return false;
+    const half_step_mm = voxelStepMm(volume, view.plane.normal) / 2;
+    return points.some(({ position_mm }) => Math.abs(view.distanceMm(position_mm)) > half_step_mm);
   }
 
   private draft(): Drawn[] {
@@ -84,12 +94,17 @@ export class MeasureOverlay extends SessionElement {
     return width_px / Math.max(1, this.clientWidth);
   }
 
-  private lines(one: Drawn, { lines, points_px }: MeasurementDrawing, width_px: number) {
+  private lines(
+    one: Drawn,
+    { lines, points_px }: MeasurementDrawing,
+    width_px: number,
+    off: boolean,
+  ) {
     const pixel = this.cssPixels(width_px);
     const chosen = this.selected(one);
     const text = (line: readonly Point[]): string =>
       line.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join(' ');
-    return svg`<g class=${classMap({ measured: true, chosen, draft: one.id === undefined })}>
+    return svg`<g class=${classMap({ measured: true, chosen, draft: one.id === undefined, off })}>
       ${lines.map((line) => svg`<polyline class="halo" points=${text(line)} />`)}
       ${lines.map((line) => svg`<polyline points=${text(line)} />`)}
       ${points_px.map(
@@ -102,7 +117,7 @@ export class MeasureOverlay extends SessionElement {
   /** Where the keys have moved the point. */
   private cross(width_px: number) {
     const { candidate } = this.state.measure;
-    if (!candidate?.by_keys) return nothing;
+    if (!candidate?.by_keys || candidate.view !== this.view) return nothing;
     const [x, y] = candidate.position_px;
     const arm = 11 * this.cssPixels(width_px);
     const path = `M${x - arm} ${y}H${x + arm}M${x} ${y - arm}V${y + arm}`;
@@ -150,7 +165,8 @@ export class MeasureOverlay extends SessionElement {
     if (id === undefined || placing || !this.selected(one)) return nothing;
     return points_px.map((point_px, index) => {
       if (!point_px) return nothing;
-      const moveTo = (to_px: Point): void => this.session.measuring.movePoint(id, index, to_px);
+      const moveTo = (to_px: Point): void =>
+        this.session.measuring.movePoint(id, index, this.view, to_px);
       return html`<button
         class="handle"
         style=${styleMap(this.place(point_px, view))}
@@ -159,7 +175,7 @@ export class MeasureOverlay extends SessionElement {
         data-part="measure-handle"
         @keydown=${(event: KeyboardEvent) => this.onKey(event, point_px, moveTo)}
         ${heldPoint({
-          pointOf: (event) => picturePoint(event, this, this.state.viewport),
+          pointOf: (event) => picturePoint(event, this, viewportOf(this.state, this.view)),
           start_px: point_px,
           moved: moveTo,
         })}

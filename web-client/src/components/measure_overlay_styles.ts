@@ -29,6 +29,9 @@ export const measure_overlay_styles = css`
   .chosen {
     --mark: #ffbe7d;
   }
+  .off {
+    opacity: 0.3;
+  }
   .draft polyline:not(.halo) {
     stroke-dasharray: 6 5;
   }

@@ -102,8 +102,9 @@ export class MeasureReadout extends SessionElement {
   private found({ kind, points }: Draft, candidate: Candidate | undefined) {
     const { volume } = this.state;
     if (!candidate || !volume) return words().measure.surface_hint;
-    const { found, answered } = candidate;
-    if (!found) return answered ? words().measure.nothing_there : '…';
+    const { view, found, answered } = candidate;
+    const nothing_there = words().measure.nothing_there[view === '3d' ? 'volume' : 'slice'];
+    if (!found) return answered ? nothing_there : '…';
     const value = valueText(found.value, volume.units);
     const result = resultOf({ kind, points: [...points, found] }, volume.units);
     const so_far = kind !== 'probe' && result ? `${resultText(result)} · ` : '';

@@ -37,11 +37,16 @@ export class OrientationCube extends SessionElement {
     :host {
       position: absolute;
       top: 14px;
-      right: 14px;
+      right: var(--cube-inset, 14px);
       width: 72px;
       height: 72px;
       perspective: 260px;
       pointer-events: none;
+    }
+    @container (max-width: 260px) {
+      :host {
+        display: none;
+      }
     }
     .cube {
       position: absolute;

@@ -2,13 +2,15 @@
 import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { shownCamera } from '../state/scene_parts.ts';
+import { shownSlice } from '../state/slice_views.ts';
+import { cameraAxes, type CameraAxes } from '../view/camera.ts';
 import { edgeLetters } from '../view/orientation.ts';
-import { SessionElement } from './session_element.ts';
+import { ViewElement } from './view_element.ts';
 import { words } from '../words/words.ts';
 
 @customElement('cutaway-orientation-marks')
-export class OrientationMarks extends SessionElement {
-  protected override readonly draws = ['shown_scene', 'scene'] as const;
+export class OrientationMarks extends ViewElement {
+  protected override readonly draws = ['shown_scene', 'scene', 'slice_views', 'volume'] as const;
 
   static override styles = css`
     :host {
@@ -33,6 +35,11 @@ export class OrientationMarks extends SessionElement {
       left: 50%;
       transform: translateX(-50%);
     }
+    @container (max-width: 340px) {
+      .top {
+        top: var(--top-letter-inset, 10px);
+      }
+    }
     .bottom {
       bottom: 10px;
       left: 50%;
@@ -44,16 +51,37 @@ export class OrientationMarks extends SessionElement {
       transform: translateY(-50%);
     }
     .right {
-      right: 10px;
+      right: var(--right-letter-inset, 10px);
       top: 50%;
       transform: translateY(-50%);
     }
+    @container (max-width: 340px) {
+      .right {
+        right: min(36px, var(--right-letter-inset, 10px));
+      }
+    }
+    @container (max-width: 170px) {
+      span {
+        min-width: 0;
+        padding: 0 4px;
+        font-size: 11px;
+      }
+      .right {
+        right: 10px;
+      }
+    }
   `;
 
-  override render() {
+  private axes(): Pick<CameraAxes, 'right' | 'up'> | undefined {
+    if (this.view !== '3d') return shownSlice(this.state, this.view)?.plane;
     const camera = shownCamera(this.state);
-    if (!camera) return nothing;
-    const letters = edgeLetters(camera);
+    return camera && cameraAxes(camera);
+  }
+
+  override render() {
+    const axes = this.axes();
+    if (!axes) return nothing;
+    const letters = edgeLetters(axes);
     const edges = ['top', 'right', 'bottom', 'left'] as const;
     return edges.map(
       (edge) =>

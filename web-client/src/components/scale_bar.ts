@@ -5,14 +5,20 @@ import { shownProjection } from '../state/scene_parts.ts';
 import { pictureToElement } from '../view/picture_fit.ts';
 import { scaleBar, scaleText } from '../view/scale_bar.ts';
 import { words } from '../words/words.ts';
-import { SessionElement } from './session_element.ts';
+import { ViewElement } from './view_element.ts';
 
 const LONGEST_CSS_PX = 140;
 const SHARE_OF_WIDTH = 0.25;
 
 @customElement('cutaway-scale-bar')
-export class ScaleBarView extends SessionElement {
-  protected override readonly draws = ['shown', 'shown_scene', 'scene', 'viewport'] as const;
+export class ScaleBarView extends ViewElement {
+  protected override readonly draws = [
+    'shown',
+    'shown_scene',
+    'scene',
+    'viewport',
+    'slice_views',
+  ] as const;
 
   @state() private size = { width: 0, height: 0 };
   private observer: ResizeObserver | undefined;
@@ -35,6 +41,11 @@ export class ScaleBarView extends SessionElement {
       font-variant-numeric: tabular-nums;
       text-align: center;
       pointer-events: auto;
+    }
+    @container (max-width: 170px) {
+      .scale {
+        display: none;
+      }
     }
     .bar {
       display: flex;
@@ -67,7 +78,7 @@ export class ScaleBarView extends SessionElement {
   }
 
   override render() {
-    const view = shownProjection(this.state);
+    const view = shownProjection(this.state, this.view);
     if (!view || this.size.width === 0) return nothing;
     const [left] = pictureToElement([0, 0], view.viewport, this.size);
     const [right] = pictureToElement([view.viewport.width_px, 0], view.viewport, this.size);

@@ -3,6 +3,7 @@ import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { volumeFacts } from '../state/volume_text.ts';
 import { shared } from '../styles/shared.ts';
+import './layout_choice.ts';
 import { SessionElement } from './session_element.ts';
 import { words } from '../words/words.ts';
 
@@ -140,6 +141,7 @@ export class TopBar extends SessionElement {
         <span class="dot"></span><span>${links[link.phase]}</span>
       </div>
       <nav aria-label=${bar.view}>
+        <cutaway-layout-choice .session=${this.session}></cutaway-layout-choice>
         ${this.followButton()} ${this.button('undo', bar.undo, () => commands.undo(), !can_undo)}
         ${this.button('redo', bar.redo, () => commands.redo(), !can_redo)}
         ${this.button('link', bar.copy_link, () => void this.copyLink(), !volume)}

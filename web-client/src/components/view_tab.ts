@@ -8,6 +8,7 @@ import { shared } from '../styles/shared.ts';
 import './control_field.ts';
 import './page_settings.ts';
 import './section.ts';
+import './slices_section.ts';
 import { SessionElement } from './session_element.ts';
 import { words } from '../words/words.ts';
 
@@ -64,6 +65,7 @@ export class ViewTab extends SessionElement {
           <wa-icon name="reset"></wa-icon>${texts.reset}
         </button>
       </cutaway-section>
+      <cutaway-slices-section .session=${this.session}></cutaway-slices-section>
       ${scene?.camera ? this.camera() : nothing}
       <cutaway-page-settings .session=${this.session}></cutaway-page-settings>
       <cutaway-section heading=${texts.status} open>${this.status()}</cutaway-section>

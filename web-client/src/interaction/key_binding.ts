@@ -2,6 +2,9 @@
 import type { Commands } from '../session/commands.ts';
 import type { Exporting } from '../session/exporting.ts';
 import type { Measuring } from '../session/measuring.ts';
+import type { Slicing } from '../session/slicing.ts';
+import type { ViewLayout } from '../session/view_layout.ts';
+import type { ViewName } from '../state/views.ts';
 import type { Words } from '../words/words.ts';
 
 export type KeyGroup = keyof Words['keys']['groups'];
@@ -10,6 +13,14 @@ export interface KeyTarget {
   readonly commands: Commands;
   readonly exporting: Exporting;
   readonly measuring: Measuring;
+  readonly slicing: Slicing;
+  readonly layout: ViewLayout;
+}
+
+/** Which picture has the focus, and how many device pixels a CSS pixel of it has. */
+export interface KeyPlace {
+  readonly view: ViewName;
+  readonly device_pixels: number;
 }
 
 export interface KeyBinding {
@@ -20,7 +31,13 @@ export interface KeyBinding {
   /** Wherever the focus is, but in a text field; else only while the picture has it. */
   readonly anywhere?: boolean;
   /** Whether the event is one of them; if so it has been carried out. */
-  readonly apply: (event: KeyboardEvent, target: KeyTarget, device_pixels: number) => boolean;
+  readonly apply: (event: KeyboardEvent, target: KeyTarget, place: KeyPlace) => boolean;
+}
+
+/** `names` as of KeyboardEvent.key, and 'Space'; without Ctrl, Alt or Command. */
+export function isPlainKey(event: KeyboardEvent, names: string): boolean {
+  if (event.ctrlKey || event.metaKey || event.altKey) return false;
+  return names.split(' ').includes(event.key === ' ' ? 'Space' : event.key);
 }
 
 /** Right and down in the picture. */

@@ -1,8 +1,17 @@
 // Keys while the picture has the focus. The help sheet lists the same table.
 import type { Commands } from '../session/commands.ts';
-import { ARROWS, type KeyBinding, type KeyTarget } from './key_binding.ts';
+import type { ViewName } from '../state/views.ts';
+import {
+  ARROWS,
+  isPlainKey,
+  type KeyBinding,
+  type KeyPlace,
+  type KeyTarget,
+} from './key_binding.ts';
 import { EXPORT_KEYS } from './export_keys.ts';
 import { MEASURING_KEYS } from './measuring_keys.ts';
+import { SLICE_KEYS } from './slice_keys.ts';
+import { VIEW_KEYS } from './view_keys.ts';
 
 const TURN_CSS_PIXELS = 24;
 const NUDGE_CSS_PIXELS = 12;
@@ -20,7 +29,7 @@ function arrows(
   css_pixels: number,
   action: ArrowAction,
 ): KeyBinding['apply'] {
-  return (event, { commands }, device_pixels) => {
+  return (event, { commands }, { device_pixels }) => {
     const direction = ARROWS[event.key];
     if (!direction || heldKey(event) !== modifier || event.ctrlKey || event.metaKey) return false;
     const distance_px = css_pixels * device_pixels;
@@ -31,8 +40,7 @@ function arrows(
 
 function key(names: string, action: (commands: Commands) => void): KeyBinding['apply'] {
   return (event, { commands }) => {
-    if (!names.split(' ').includes(event.key) || event.ctrlKey || event.metaKey || event.altKey)
-      return false;
+    if (!isPlainKey(event, names)) return false;
     action(commands);
     return true;
   };
@@ -53,6 +61,8 @@ function chord(
 
 export const KEY_BINDINGS: readonly KeyBinding[] = [
   ...MEASURING_KEYS,
+  ...VIEW_KEYS,
+  ...SLICE_KEYS,
   {
     keys: '← ↑ → ↓',
     meaning: 'rotate',
@@ -141,15 +151,18 @@ const applied = (
   bindings: readonly KeyBinding[],
   event: KeyboardEvent,
   target: KeyTarget,
-  device_pixels: number,
+  place: KeyPlace,
 ): void => {
-  if (bindings.some((binding) => binding.apply(event, target, device_pixels)))
-    event.preventDefault();
+  if (bindings.some((binding) => binding.apply(event, target, place))) event.preventDefault();
 };
 
-export function applyKey(event: KeyboardEvent, target: KeyTarget, device_pixels: number): void {
-  const bindings = KEY_BINDINGS.filter(({ anywhere }) => !anywhere);
-  applied(bindings, event, target, device_pixels);
+/** The volume's own keys mean nothing in a slice, and the other way round. */
+const isOf = ({ group }: KeyBinding, view: ViewName): boolean =>
+  view === '3d' ? group !== 'slices' : group !== 'view' && group !== 'lens';
+
+export function applyKey(event: KeyboardEvent, target: KeyTarget, place: KeyPlace): void {
+  const bindings = KEY_BINDINGS.filter((one) => !one.anywhere && isOf(one, place.view));
+  applied(bindings, event, target, place);
 }
 
 const TEXT_FIELDS = /^(text|number|search|email|url|tel|password)$/;
@@ -165,7 +178,8 @@ function takesText(event: KeyboardEvent): boolean {
 export function listenToKeys(page: Window, target: KeyTarget): void {
   const anywhere = KEY_BINDINGS.filter((binding) => binding.anywhere);
   page.addEventListener('keydown', (event) => {
-    if (!takesText(event)) applied(anywhere, event, target, page.devicePixelRatio);
+    const place: KeyPlace = { view: '3d', device_pixels: page.devicePixelRatio };
+    if (!takesText(event)) applied(anywhere, event, target, place);
   });
   const released = (): void => target.commands.compare(false);
   page.addEventListener('keyup', ({ key: name }) => {

@@ -1,30 +1,48 @@
-// Mouse, pen and touch over the picture: left drag or one finger rotates, middle or Shift+left or
-// two fingers pan, right drag or pinch zooms. Distances go out in device pixels.
+// Mouse, pen and touch over a picture. What a button or one finger does, the picture says; two
+// fingers pan and pinch. Distances are CSS pixels.
 
-export interface GestureTarget {
-  orbit(dx_px: number, dy_px: number): void;
-  pan(dx_px: number, dy_px: number): void;
-  zoom(magnification: number): void;
+export interface Drag {
+  readonly dx: number;
+  readonly dy: number;
+  /** The newest event, and where the press was, in the page. */
+  readonly event: PointerEvent;
+  readonly start: { readonly x: number; readonly y: number };
 }
 
-type Motion = 'orbit' | 'pan' | 'zoom';
+export interface Pinch {
+  readonly dx: number;
+  readonly dy: number;
+  readonly magnification: number;
+  /** Between the fingers, in the page. */
+  readonly x: number;
+  readonly y: number;
+}
 
-interface Pointer {
+export interface PointerTarget<Motion> {
+  readonly motionOf: (event: PointerEvent) => Motion;
+  readonly dragged: (motion: Motion, drag: Drag) => void;
+  readonly pinched: (pinch: Pinch) => void;
+  /** A press that moved nothing, and was alone. */
+  readonly pressed?: (motion: Motion, event: PointerEvent) => void;
+  /** How far a press may slip before it moves anything. */
+  readonly slip_css_px: () => number;
+}
+
+export const MIDDLE_BUTTON = 1;
+export const RIGHT_BUTTON = 2;
+
+const ZOOM_PER_CSS_PIXEL = 0.006;
+
+/** Of a drag that zooms: upward is larger. */
+export const magnificationOf = ({ dy }: Drag): number => Math.exp(-dy * ZOOM_PER_CSS_PIXEL);
+
+interface Pointer<Motion> {
   x: number;
   y: number;
   /** Has gone farther than a hand slips. */
   moves: boolean;
+  readonly start: { readonly x: number; readonly y: number };
   readonly motion: Motion;
-}
-
-const ZOOM_PER_CSS_PIXEL = 0.006;
-const MIDDLE_BUTTON = 1;
-const RIGHT_BUTTON = 2;
-
-function motionOf(event: PointerEvent): Motion {
-  if (event.button === MIDDLE_BUTTON) return 'pan';
-  if (event.button === RIGHT_BUTTON) return 'zoom';
-  return event.shiftKey ? 'pan' : 'orbit';
 }
 
 interface Pair {
@@ -33,26 +51,23 @@ interface Pair {
   readonly distance: number;
 }
 
-function pairOf([first, second]: readonly Pointer[]): Pair | undefined {
+function pairOf([first, second]: readonly { x: number; y: number }[]): Pair | undefined {
   if (!first || !second) return undefined;
   const distance = Math.max(1, Math.hypot(first.x - second.x, first.y - second.y));
   return { x: (first.x + second.x) / 2, y: (first.y + second.y) / 2, distance };
 }
 
-export class PointerGestures {
-  private readonly pointers = new Map<number, Pointer>();
+export class PointerGestures<Motion> {
+  private readonly pointers = new Map<number, Pointer<Motion>>();
 
-  /** `device_pixels` gives how many of them a CSS pixel of the surface has. */
   constructor(
     private readonly surface: HTMLElement,
-    private readonly target: GestureTarget,
-    private readonly device_pixels: () => number,
-    /** How far a press may slip before it moves anything, CSS pixels. */
-    private readonly slip_css_px: () => number,
+    private readonly target: PointerTarget<Motion>,
   ) {
     surface.addEventListener('pointerdown', (event) => this.down(event));
     surface.addEventListener('pointermove', (event) => this.moved(event));
-    for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
+    surface.addEventListener('pointerup', (event) => this.up(event));
+    for (const end of ['pointercancel', 'lostpointercapture'] as const) {
       surface.addEventListener(end, (event) => this.pointers.delete(event.pointerId));
     }
     surface.addEventListener('contextmenu', (event) => event.preventDefault());
@@ -62,12 +77,12 @@ export class PointerGestures {
     if (event.pointerType === 'mouse' && this.pointers.size > 0) return;
     if (event.button === MIDDLE_BUTTON) event.preventDefault();
     this.surface.setPointerCapture(event.pointerId);
-    this.pointers.set(event.pointerId, {
-      x: event.clientX,
-      y: event.clientY,
-      moves: false,
-      motion: motionOf(event),
-    });
+    const place = { x: event.clientX, y: event.clientY };
+    const motion = this.target.motionOf(event);
+    // A second finger makes a pinch of it, which is no press.
+    for (const other of this.pointers.values()) other.moves = true;
+    const moves = this.pointers.size > 0;
+    this.pointers.set(event.pointerId, { ...place, start: place, moves, motion });
   }
 
   private moved(event: PointerEvent): void {
@@ -76,26 +91,25 @@ export class PointerGestures {
     const before = pairOf([...this.pointers.values()]);
     const dx = event.clientX - pointer.x;
     const dy = event.clientY - pointer.y;
-    pointer.moves ||= Math.hypot(dx, dy) > this.slip_css_px() || before !== undefined;
+    pointer.moves ||= Math.hypot(dx, dy) > this.target.slip_css_px();
     if (!pointer.moves) return;
     pointer.x = event.clientX;
     pointer.y = event.clientY;
     if (before) this.pairMoved(before);
-    else this.singleMoved(pointer.motion, dx, dy);
+    else this.target.dragged(pointer.motion, { dx, dy, event, start: pointer.start });
   }
 
-  private singleMoved(motion: Motion, dx: number, dy: number): void {
-    const scale = this.device_pixels();
-    if (motion === 'orbit') this.target.orbit(dx * scale, dy * scale);
-    else if (motion === 'pan') this.target.pan(dx * scale, dy * scale);
-    else this.target.zoom(Math.exp(-dy * ZOOM_PER_CSS_PIXEL));
+  private up(event: PointerEvent): void {
+    const pointer = this.pointers.get(event.pointerId);
+    this.pointers.delete(event.pointerId);
+    if (pointer && !pointer.moves) this.target.pressed?.(pointer.motion, event);
   }
 
   private pairMoved(before: Pair): void {
     const after = pairOf([...this.pointers.values()]);
     if (!after) return;
-    const scale = this.device_pixels();
-    this.target.pan((after.x - before.x) * scale, (after.y - before.y) * scale);
-    this.target.zoom(after.distance / before.distance);
+    const { x, y } = after;
+    const magnification = after.distance / before.distance;
+    this.target.pinched({ dx: x - before.x, dy: y - before.y, magnification, x, y });
   }
 }

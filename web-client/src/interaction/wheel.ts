@@ -22,13 +22,48 @@ function wheelPixels(event: WheelEvent): number {
   return delta * (units[event.deltaMode] ?? 1);
 }
 
-export function listenToWheel(surface: HTMLElement, target: WheelTarget): void {
-  const turned = (event: WheelEvent): void => {
+function magnificationOf(event: WheelEvent): number {
+  const exponent = -wheelPixels(event) * (event.ctrlKey ? PINCH_PER_PIXEL : ZOOM_PER_PIXEL);
+  return Math.exp(Math.max(-LARGEST_EXPONENT, Math.min(LARGEST_EXPONENT, exponent)));
+}
+
+/** The page itself does not scroll or zoom. */
+function listen(surface: HTMLElement, turned: (event: WheelEvent) => void): void {
+  const listener = (event: WheelEvent): void => {
     event.preventDefault();
-    const exponent = -wheelPixels(event) * (event.ctrlKey ? PINCH_PER_PIXEL : ZOOM_PER_PIXEL);
-    const factor = Math.exp(Math.max(-LARGEST_EXPONENT, Math.min(LARGEST_EXPONENT, exponent)));
+    turned(event);
+  };
+  surface.addEventListener('wheel', listener, { passive: false });
+}
+
+export function listenToWheel(surface: HTMLElement, target: WheelTarget): void {
+  listen(surface, (event) => {
+    const factor = magnificationOf(event);
     if (event.altKey || event.shiftKey) target.scaleLens(factor);
     else target.zoom(factor);
-  };
-  surface.addEventListener('wheel', turned, { passive: false });
+  });
+}
+
+export interface SliceWheelTarget {
+  readonly scroll: (steps: number) => void;
+  readonly zoom: (magnification: number, event: WheelEvent) => void;
+  readonly scaleLens: (factor: number) => void;
+}
+
+/** What a touchpad moves for one slice; a notch of a wheel is one slice, whatever it reports. */
+const PIXELS_PER_SLICE = 40;
+
+/** Over a slice the wheel steps through the slices: away from the user is superior, anterior, left. */
+export function listenToSliceWheel(surface: HTMLElement, target: SliceWheelTarget): void {
+  let rest_px = 0;
+  listen(surface, (event) => {
+    if (event.ctrlKey) return target.zoom(magnificationOf(event), event);
+    if (event.altKey || event.shiftKey) return target.scaleLens(magnificationOf(event));
+    const turned_px = -wheelPixels(event);
+    if (Math.abs(turned_px) >= PIXELS_PER_SLICE) return target.scroll(Math.sign(turned_px));
+    rest_px += turned_px;
+    const steps = Math.trunc(rest_px / PIXELS_PER_SLICE);
+    rest_px -= steps * PIXELS_PER_SLICE;
+    if (steps !== 0) target.scroll(steps);
+  });
 }

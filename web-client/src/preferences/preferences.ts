@@ -1,6 +1,7 @@
 // What the page remembers of a user, and its form in the browser's storage.
 import { isObject } from '../state/merge_patch.ts';
 import { LANGUAGES, type LanguageChoice } from '../words/language.ts';
+import { LAYOUTS, VIEW_NAMES, type Layout, type ViewName } from '../state/views.ts';
 import { parsedJson } from './browser_storage.ts';
 
 export const THEMES = ['dark', 'light'] as const;
@@ -10,6 +11,11 @@ export type Theme = (typeof THEMES)[number];
 /** `system`: what the operating system asks for. */
 export type ThemeChoice = Theme | 'system';
 
+export const CONVENTIONS = ['radiological', 'neurological'] as const;
+
+/** Which side of a slice is the patient's right: the scene has it, and a new one begins with this. */
+export type Convention = (typeof CONVENTIONS)[number];
+
 export interface Preferences {
   readonly language: LanguageChoice;
   readonly theme: ThemeChoice;
@@ -18,6 +24,10 @@ export interface Preferences {
   readonly hints_seen: boolean;
   /** Frames per second, latency and the like, under the picture. */
   readonly status_line: boolean;
+  readonly layout: Layout;
+  /** The view that is alone, or large. */
+  readonly main_view: ViewName;
+  readonly convention: Convention;
 }
 
 export const DEFAULT_PREFERENCES: Preferences = {
@@ -26,6 +36,9 @@ export const DEFAULT_PREFERENCES: Preferences = {
   panel_open: true,
   hints_seen: false,
   status_line: false,
+  layout: 'single',
+  main_view: '3d',
+  convention: 'radiological',
 };
 
 /** Goes up when a field's meaning changes; a new field needs none, it has its default. */
@@ -62,6 +75,9 @@ export function preferencesFrom(text: string | null, defaults: Preferences): Rea
     panel_open: flag(stored['panel_open'], defaults.panel_open),
     hints_seen: flag(stored['hints_seen'], defaults.hints_seen),
     status_line: flag(stored['status_line'], defaults.status_line),
+    layout: oneOf(LAYOUTS, stored['layout'], defaults.layout),
+    main_view: oneOf(VIEW_NAMES, stored['main_view'], defaults.main_view),
+    convention: oneOf(CONVENTIONS, stored['convention'], defaults.convention),
   };
   return { preferences };
 }

@@ -4,6 +4,8 @@ export interface FrameHeader {
   readonly type: 'live' | 'saved_still' | 'preview';
   readonly still: boolean;
   readonly lossless: boolean;
+  /** Which of the session's pictures: 0 in 3-D, 1 axial, 2 coronal, 3 sagittal. */
+  readonly view: number;
   /** For a saved still or a preview, its request. */
   readonly frame: number;
   readonly revision: number;
@@ -66,6 +68,7 @@ function readHeader(view: DataView): FrameHeader {
     type: frameType(view),
     still: (flags & 1) !== 0,
     lossless: (flags & 2) !== 0,
+    view: view.getUint16(10, true),
     frame: view.getUint32(12, true),
     revision: view.getUint32(16, true),
     input: view.getUint32(20, true),

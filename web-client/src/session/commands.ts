@@ -161,7 +161,7 @@ export class Commands {
 
   resize(viewport: Viewport): void {
     this.store.update({ viewport });
-    this.link.sendViewport(viewport);
+    this.link.sendViewport('3d', viewport);
   }
 
   async sceneLink(): Promise<string | undefined> {

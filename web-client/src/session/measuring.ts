@@ -1,9 +1,11 @@
 // What a user can do with the measuring tools. Points are found by the server.
 import { extended, isWhole, withPoint } from '../state/measurement_list.ts';
 import type { MeasurementKind } from '../state/measurement.ts';
-import { toolInHand, type Found, type MeasureState } from '../state/measure_state.ts';
+import { toolInHand, type MeasureState } from '../state/measure_state.ts';
 import type { Store } from '../state/store.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
+import { shownIn, viewportOf } from '../state/slice_views.ts';
+import type { ViewName } from '../state/views.ts';
 import type { Point } from '../view/camera.ts';
 import { PickFollower, type Pick, type Picker } from './picker.ts';
 import { words } from '../words/words.ts';
@@ -53,24 +55,24 @@ export class Measuring {
   }
 
   /** The pointer, or the cross that arrow keys move, is there. */
-  point(position_px: Point, by_keys = false): void {
+  point(view: ViewName, position_px: Point, by_keys = false): void {
     if (!this.measure.draft) return;
     const { candidate } = this.measure;
-    this.update({
-      candidate: { position_px, found: candidate?.found, answered: false, by_keys },
-    });
-    this.hover.follow(position_px, (pick) => this.answered(position_px, pick));
+    const found = candidate?.view === view ? candidate.found : undefined;
+    this.update({ candidate: { view, position_px, found, answered: false, by_keys } });
+    this.hover.follow(view, position_px, (pick) => this.answered(position_px, pick));
   }
 
   /** Moves the candidate by a distance in the picture; the first time it is in the middle. */
-  nudge(dx_px: number, dy_px: number): void {
-    const { viewport } = this.store.state;
+  nudge(view: ViewName, dx_px: number, dy_px: number): void {
+    const viewport = viewportOf(this.store.state, view);
     if (!viewport) return;
     const { width_px, height_px } = viewport;
-    const from_px = this.measure.candidate?.position_px;
-    if (!from_px) return this.point([width_px / 2, height_px / 2], true);
+    const { candidate } = this.measure;
+    if (candidate?.view !== view) return this.point(view, [width_px / 2, height_px / 2], true);
+    const [x, y] = candidate.position_px;
     const within = (place: number, size: number): number => Math.min(size, Math.max(0, place));
-    this.point([within(from_px[0] + dx_px, width_px), within(from_px[1] + dy_px, height_px)], true);
+    this.point(view, [within(x + dx_px, width_px), within(y + dy_px, height_px)], true);
   }
 
   /** The pointer is no longer over the picture. */
@@ -80,20 +82,25 @@ export class Measuring {
   }
 
   /** Without a position where the candidate is. Whether there is a tool in hand. */
-  place(position_px = this.measure.candidate?.position_px): boolean {
+  place(view: ViewName, position_px = this.candidateIn(view)): boolean {
     const { draft } = this.measure;
     if (!draft) return false;
-    if (position_px) this.placeAt(position_px, draft.kind);
-    else this.nudge(0, 0);
+    if (position_px) this.placeAt(view, position_px, draft.kind);
+    else this.nudge(view, 0, 0);
     return true;
   }
 
-  private placeAt(position_px: Point, kind: MeasurementKind): void {
-    this.picker.pick(position_px, (pick) => {
+  private candidateIn(view: ViewName): Point | undefined {
+    const { candidate } = this.measure;
+    return candidate?.view === view ? candidate.position_px : undefined;
+  }
+
+  private placeAt(view: ViewName, position_px: Point, kind: MeasurementKind): void {
+    this.picker.pick(view, position_px, (pick) => {
       if (toolInHand(this.measure) !== kind) return;
       if (pick) this.placed(pick);
       else if (this.store.state.link.phase === 'connected')
-        this.toasts.note(words().measure.nothing_there);
+        this.toasts.note(words().measure.nothing_there[view === '3d' ? 'volume' : 'slice']);
     });
   }
 
@@ -101,9 +108,9 @@ export class Measuring {
     this.update({ selected: id });
   }
 
-  /** Over the surface; where there is none, the point stays where it is. */
-  movePoint(id: number, index: number, position_px: Point): void {
-    this.drag.follow(position_px, (pick) => {
+  /** Over the surface, or in the slice's plane; where nothing is, the point stays where it is. */
+  movePoint(id: number, index: number, view: ViewName, position_px: Point): void {
+    this.drag.follow(view, position_px, (pick) => {
       if (pick) this.measured.change((list) => withPoint(list, id, index, pick));
     });
   }
@@ -126,18 +133,22 @@ export class Measuring {
         candidate: undefined,
         selected: undefined,
       });
-    } else if (candidate && state.shown?.still && state.shown !== before.shown) {
+    } else if (candidate && this.isAnother(candidate.view, state, before)) {
       // What lies there may be something else now.
-      this.point(candidate.position_px, candidate.by_keys);
+      this.point(candidate.view, candidate.position_px, candidate.by_keys);
     }
+  }
+
+  private isAnother(view: ViewName, state: ViewerState, before: ViewerState): boolean {
+    const shown = shownIn(state, view);
+    return shown?.still === true && shown !== shownIn(before, view);
   }
 
   private answered(position_px: Point, pick: Pick | undefined): void {
     const { candidate } = this.measure;
     if (!candidate) return;
-    const found: Found | undefined = pick;
     const answered = candidate.position_px === position_px;
-    this.update({ candidate: { ...candidate, found, answered } });
+    this.update({ candidate: { ...candidate, found: pick, answered } });
   }
 
   private placed({ position_mm, value }: Pick): void {

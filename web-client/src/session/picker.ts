@@ -2,6 +2,7 @@
 import type { Counter } from '../protocol/counter.ts';
 import type { PickedMessage } from '../protocol/messages.ts';
 import type { Stream } from '../stream/stream.ts';
+import { viewNumber, type ViewName } from '../state/views.ts';
 import type { Point } from '../view/camera.ts';
 import type { Vector3 } from '../view/vector.ts';
 
@@ -10,15 +11,16 @@ export interface Pick {
   readonly position_mm: Vector3;
   /** Physical value there, in the volume's units. */
   readonly value: number;
-  readonly branch: 'focus' | 'context';
+  /** Whose surface it is; a slice has none. */
+  readonly branch?: 'focus' | 'context';
 }
 
 /** Hears what was hit; nothing where there was no surface, or no answer came. */
 export type PickListener = (pick: Pick | undefined) => void;
 
 function pickOf({ position_mm, value, branch }: PickedMessage): Pick | undefined {
-  if (!position_mm || value === undefined || !branch) return undefined;
-  return { position_mm, value, branch };
+  if (!position_mm || value === undefined) return undefined;
+  return { position_mm, value, ...(branch && { branch }) };
 }
 
 export class Picker {
@@ -31,12 +33,13 @@ export class Picker {
     private readonly flush: () => void,
   ) {}
 
-  /** `position_px` is device pixels of the picture. `answered` is called later, once. */
-  pick(position_px: Point, answered: PickListener): void {
+  /** `position_px` is device pixels of the view's picture. `answered` is called later, once. */
+  pick(view: ViewName, position_px: Point, answered: PickListener): void {
     const request = this.requests.next();
     this.outstanding.set(request, answered);
     this.flush();
-    this.stream.send({ type: 'pick', request, position_px: [...position_px] });
+    const [x, y] = position_px;
+    this.stream.send({ type: 'pick', view: viewNumber(view), request, position_px: [x, y] });
   }
 
   arrived(message: PickedMessage): void {
@@ -61,16 +64,22 @@ export class Picker {
   }
 }
 
+interface Asked {
+  readonly view: ViewName;
+  readonly position_px: Point;
+  readonly answered: PickListener;
+}
+
 /** Picks that follow a pointer: one is asked at a time, and then the newest that waits. */
 export class PickFollower {
-  private waiting: { readonly position_px: Point; readonly answered: PickListener } | undefined;
+  private waiting: Asked | undefined;
   private current: PickListener | undefined;
   private asking = false;
 
   constructor(private readonly picker: Picker) {}
 
-  follow(position_px: Point, answered: PickListener): void {
-    this.waiting = { position_px, answered };
+  follow(view: ViewName, position_px: Point, answered: PickListener): void {
+    this.waiting = { view, position_px, answered };
     this.askNext();
   }
 
@@ -86,7 +95,7 @@ export class PickFollower {
     this.waiting = undefined;
     this.asking = true;
     this.current = waiting.answered;
-    this.picker.pick(waiting.position_px, (pick) => {
+    this.picker.pick(waiting.view, waiting.position_px, (pick) => {
       this.asking = false;
       this.current?.(pick);
       this.askNext();

@@ -3,13 +3,16 @@ import { Counter } from '../protocol/counter.ts';
 import type { ErrorMessage, Scene, SceneStateMessage } from '../protocol/messages.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
 import { SceneSync } from '../state/scene_sync.ts';
-import { ShownView } from '../state/shown_view.ts';
+import type { SlicePicture } from '../state/slice_views.ts';
 import type { Store } from '../state/store.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
+import { viewNumber, type ViewName } from '../state/views.ts';
 import type { Stream } from '../stream/stream.ts';
 import type { ShownFrame } from '../stream/worker_messages.ts';
 import type { Point, Viewport } from '../view/camera.ts';
+import type { SliceName } from '../view/slice_geometry.ts';
 import { Outbox, type OutboxSender } from './outbox.ts';
+import { ShownViews } from './shown_views.ts';
 
 const clockMs = (): number => performance.timeOrigin + performance.now();
 
@@ -19,12 +22,17 @@ const CHOSEN_FOR_A_VOLUME: JsonObject = {
   lens: { centre_mm: null, radius_mm: null },
   focus: { surface: null },
   context: { surface: null },
+  slices: { crosshair_mm: null, window: null, axial: null, coronal: null, sagittal: null },
 };
+
+/** Whether a change of the scene makes another 3-D picture. */
+const changesVolume = (patch: JsonObject): boolean =>
+  Object.keys(patch).some((part) => part !== 'slices');
 
 export class SceneLink implements OutboxSender {
   private readonly inputs = new Counter();
   private readonly sync = new SceneSync();
-  private readonly shown_view = new ShownView();
+  private readonly shown_views = new ShownViews();
   private readonly outbox = new Outbox(this);
 
   constructor(
@@ -75,9 +83,20 @@ export class SceneLink implements OutboxSender {
     this.stream.send({ type: 'drag_lens', ...this.stamp(), position_px: [...position_px] });
   }
 
-  sendViewport(viewport: Viewport): void {
+  sendViewport(view: ViewName, viewport: Viewport): void {
     this.outbox.flush();
-    this.stream.send({ type: 'viewport', ...this.stamp(), ...viewport });
+    const stamp = this.stamp(view === '3d');
+    this.stream.send({ type: 'viewport', view: viewNumber(view), ...stamp, ...viewport });
+  }
+
+  /** A slice of which pictures are wanted from now on; its viewport follows. */
+  openSlice(name: SliceName): void {
+    this.shown_views.opened(name, this.store.state.scene);
+  }
+
+  closeSlice(name: SliceName): void {
+    this.shown_views.closed(name);
+    this.stream.send({ type: 'close_view', view: viewNumber(name) });
   }
 
   /** Starts the session's scene anew with a whole document. Returns its input number. */
@@ -90,19 +109,24 @@ export class SceneLink implements OutboxSender {
   restart(): void {
     this.outbox.discard();
     this.sync.restart(this.sync.scene);
-    this.shown_view.restart(this.store.state.scene);
+    this.shown_views.restart(this.store.state.scene);
   }
 
   told(message: SceneStateMessage): void {
     this.sync.told(message.scene as JsonObject);
     this.publish();
     if (this.store.state.scene)
-      this.shown_view.changedByServer(message.revision, this.store.state.scene);
+      this.shown_views.changedByServer(message.revision, this.store.state.scene);
   }
 
   shown(frame: ShownFrame): Scene | undefined {
     this.sync.shown(frame.input);
-    return this.shown_view.sceneOf(frame);
+    return this.shown_views.volumeShownBy(frame);
+  }
+
+  sliceShown(name: SliceName, frame: ShownFrame): SlicePicture | undefined {
+    this.sync.shown(frame.input);
+    return this.shown_views.sliceShownBy(name, frame);
   }
 
   refused(error: ErrorMessage): void {
@@ -112,14 +136,15 @@ export class SceneLink implements OutboxSender {
   }
 
   private sendScene(scene: JsonObject, replace: boolean): number {
-    const stamp = this.stamp();
+    const stamp = this.stamp(replace || changesVolume(scene));
     this.stream.send({ type: 'scene', ...stamp, scene: { ...scene }, ...(replace && { replace }) });
     return stamp.input;
   }
 
-  private stamp(): { input: number; clock_ms: number } {
+  /** `in_volume`: a 3-D picture will show it. */
+  private stamp(in_volume = true): { input: number; clock_ms: number } {
     const input = this.inputs.next();
-    this.store.update({ sent_input: input });
+    if (in_volume) this.store.update({ sent_input: input });
     return { input, clock_ms: clockMs() };
   }
 
@@ -129,6 +154,6 @@ export class SceneLink implements OutboxSender {
 
   private remember(input: number): void {
     const { scene } = this.store.state;
-    if (scene) this.shown_view.changedByInput(input, scene);
+    if (scene) this.shown_views.changedByInput(input, scene);
   }
 }

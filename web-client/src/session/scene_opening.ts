@@ -83,12 +83,13 @@ export class SceneOpening {
   }
 
   private openDefault(): void {
-    const { capabilities, volumes, scanning } = this.store.state;
+    const { capabilities, volumes, scanning, preferences } = this.store.state;
     const [volume] = volumes;
     const awaits_volume = scanning && volumes.every(({ format }) => format === 'phantom');
     this.store.update({ awaits_volume });
     if (!volume || awaits_volume) return;
-    const scene: Scene = { ...capabilities?.styles[0]?.scene, volume: volume.id };
+    const slices = { convention: preferences.convention };
+    const scene: Scene = { ...capabilities?.styles[0]?.scene, volume: volume.id, slices };
     this.link.replace(scene as JsonObject);
   }
 }

@@ -1,11 +1,15 @@
 // Notices that an input waits long for its picture although there is a connection.
+import { isAfter } from '../protocol/counter.ts';
 import type { Store } from '../state/store.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
 
 const LONG_MS = 6_000;
 
-const waits = ({ link, loading, volume, sent_input, shown }: ViewerState): boolean =>
-  link.phase === 'connected' && !loading && volume !== undefined && shown?.input !== sent_input;
+/** A picture may show later inputs, too: those of slices, which change nothing in it. */
+const waits = ({ link, loading, volume, sent_input, shown }: ViewerState): boolean => {
+  const shows = shown !== undefined && !isAfter(sent_input, shown.input);
+  return link.phase === 'connected' && !loading && volume !== undefined && !shows;
+};
 
 /** Any picture, however old its input, shows that the stream goes on. */
 export function watchForStalls(store: Store<ViewerState>): void {

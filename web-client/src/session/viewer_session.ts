@@ -4,6 +4,7 @@ import { Store } from '../state/store.ts';
 import { asStyle } from '../state/own_styles.ts';
 import { matchingStyle } from '../state/style_patch.ts';
 import { INITIAL_STATE, type ViewerState } from '../state/viewer_state.ts';
+import { VIEW_NAMES } from '../state/views.ts';
 import { Counter } from '../protocol/counter.ts';
 import type {
   CapabilitiesMessage,
@@ -27,10 +28,12 @@ import { PreviewRequests } from './preview_requests.ts';
 import { SceneLink } from './scene_link.ts';
 import { SceneOpening } from './scene_opening.ts';
 import { watchForStalls } from './stall_watch.ts';
+import { Slicing } from './slicing.ts';
 import { Stills } from './stills.ts';
 import { VolumePictures } from './volume_pictures.ts';
 import { StylePreviews } from './style_previews.ts';
 import { Toasts } from './toasts.ts';
+import { ViewLayout } from './view_layout.ts';
 import type { Language } from '../words/language.ts';
 import { capabilitiesInWords, volumeInWords } from '../words/served.ts';
 import { words } from '../words/words.ts';
@@ -61,6 +64,8 @@ export class ViewerSession {
   readonly store = new Store<ViewerState>(INITIAL_STATE);
   readonly toasts = new Toasts(this.store);
   readonly commands: Commands;
+  readonly layout: ViewLayout;
+  readonly slicing: Slicing;
   readonly previews: StylePreviews;
   readonly volume_pictures: VolumePictures;
   readonly measured: Measured;
@@ -83,6 +88,8 @@ export class ViewerSession {
     const requests = new Counter();
     this.commands = new Commands(this.store, this.link, stream, this.toasts);
     this.picker = new Picker(stream, requests, () => this.link.flush());
+    this.layout = new ViewLayout(this.store, this.link, this.commands);
+    this.slicing = new Slicing(this.store, this.commands, this.picker);
     this.measured = new Measured(this.store, this.toasts, parts);
     this.measuring = new Measuring(this.store, this.picker, this.toasts, this.measured);
     this.own_styling = new OwnStyling(this.store, this.commands, this.toasts, parts);
@@ -152,7 +159,7 @@ export class ViewerSession {
     this.store.update({ link: { phase: 'connected' } });
     this.link.restart();
     this.opening.restart();
-    if (this.store.state.viewport) this.link.sendViewport(this.store.state.viewport);
+    this.layout.restart();
   }
 
   private onMessage(message: ServerMessage): void {
@@ -211,18 +218,20 @@ export class ViewerSession {
   }
 
   private onShown(shown: ShownFrame): void {
+    const view = VIEW_NAMES[shown.view];
+    if (view && view !== '3d') return this.layout.shown(view, shown);
     const frames_per_second = this.frame_rate.shown(performance.now());
     this.store.update({ shown, shown_scene: this.link.shown(shown), frames_per_second });
   }
 }
 
 export function openViewerSession(
-  canvas: HTMLCanvasElement,
+  canvases: readonly HTMLCanvasElement[],
   url: string,
   page: PageParts,
 ): ViewerSession {
   return new ViewerSession({
-    openStream: (listener) => new WorkerStream(canvas, url, listener),
+    openStream: (listener) => new WorkerStream(canvases, url, listener),
     address: () => location.hash,
     ...page,
   });

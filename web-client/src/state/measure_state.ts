@@ -1,20 +1,16 @@
 // Measuring: the tool in hand, the point that is being placed, and what was measured, by volume.
-import type { BranchName } from './filter_model.ts';
 import type { MeasuredPoint, MeasurementKind } from './measurement.ts';
 import type { Draft, MeasurementList } from './measurement_list.ts';
 import type { Point } from '../view/camera.ts';
-
-/** What lies under a point of the picture. */
-export interface Found extends MeasuredPoint {
-  readonly branch: BranchName;
-}
+import type { ViewName } from './views.ts';
 
 /** The point that would be placed now. */
 export interface Candidate {
+  readonly view: ViewName;
   /** Device pixels of the picture. */
   readonly position_px: Point;
   /** Nothing where no surface is, or until the server has answered. */
-  readonly found: Found | undefined;
+  readonly found: MeasuredPoint | undefined;
   readonly answered: boolean;
   /** Moved there by keys, not by a pointer: it has to be drawn and read out. */
   readonly by_keys: boolean;

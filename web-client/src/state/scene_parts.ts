@@ -2,7 +2,9 @@
 import type { Scene } from '../protocol/messages.ts';
 import type { Camera } from '../view/camera.ts';
 import { cameraProjection, type ViewProjection } from '../view/view_projection.ts';
+import { shownSlice } from './slice_views.ts';
 import type { ViewerState } from './viewer_state.ts';
+import type { ViewName } from './views.ts';
 
 export const DEFAULT_FIELD_OF_VIEW_DEGREES = 30;
 
@@ -25,8 +27,9 @@ export const viewCamera = (state: ViewerState): Camera | undefined => cameraOf(s
 export const shownCamera = (state: ViewerState): Camera | undefined =>
   cameraOf(state.shown_scene ?? state.scene);
 
-/** How the picture on the screen shows the patient; nothing while there is none. */
-export function shownProjection(state: ViewerState): ViewProjection | undefined {
+/** How a picture on the screen shows the patient; nothing while there is none. */
+export function shownProjection(state: ViewerState, view: ViewName): ViewProjection | undefined {
+  if (view !== '3d') return shownSlice(state, view);
   const { shown } = state;
   const camera = shownCamera(state);
   if (!shown || !camera) return undefined;

@@ -9,6 +9,9 @@ interface PendingChange {
   readonly patch: JsonObject;
 }
 
+/** Older changes have arrived: a refusal would have been heard. Not every change makes a frame. */
+const MOST_PENDING = 120;
+
 /** Left out they are not there at all, so that their null takes effect without an answer. */
 const OPTIONAL_FIELDS: ReadonlySet<string> = new Set(['upper_value']);
 
@@ -56,6 +59,8 @@ export class SceneSync {
     this.staged = [];
     this.leaveOpen(patch);
     this.pending = [...this.pending, { input, patch: withoutNulls(patch) }];
+    const oldest = this.pending.at(-MOST_PENDING - 1);
+    if (oldest) this.shown(oldest.input);
   }
 
   /**

@@ -1,10 +1,9 @@
-// Which camera and lens the picture on the screen shows. Frames lag behind the input; what is drawn
-// over them must lag along with them, or the lens' outline would swim over the surface.
+// What a picture on the screen shows. Frames lag behind the input; what is drawn over them must lag
+// along with them, or the lens' outline would swim over the surface.
 import { isAfter } from '../protocol/counter.ts';
-import type { Scene } from '../protocol/messages.ts';
 
-interface Step {
-  readonly scene: Scene;
+interface Step<Shown> {
+  readonly shown: Shown;
   /** Holds for frames that show this input... */
   readonly input?: number;
   /** ...or this revision. */
@@ -16,31 +15,39 @@ interface FrameOrder {
   readonly revision: number;
 }
 
-const reaches = (frame: FrameOrder, step: Step): boolean =>
+const reaches = (frame: FrameOrder, step: Step<unknown>): boolean =>
   step.input === undefined
     ? step.revision === undefined || !isAfter(step.revision, frame.revision)
     : !isAfter(step.input, frame.input);
 
-export class ShownView {
-  private steps: readonly Step[] = [];
+export class ShownView<Shown> {
+  private steps: readonly Step<Shown>[] = [];
 
-  changedByInput(input: number, scene: Scene): void {
-    this.steps = [...this.steps, { input, scene }];
+  /** `same`: what changes nothing in the picture makes no frame, and is no step. */
+  constructor(private readonly same: (a: Shown, b: Shown) => boolean = Object.is) {}
+
+  changedByInput(input: number, shown: Shown): void {
+    this.add({ input, shown });
   }
 
-  changedByServer(revision: number, scene: Scene): void {
-    this.steps = [...this.steps, { revision, scene }];
+  changedByServer(revision: number, shown: Shown): void {
+    this.add({ revision, shown });
   }
 
-  /** The scene of the newest step that this frame shows; nothing where none is known. */
-  sceneOf(frame: FrameOrder): Scene | undefined {
+  /** Of the newest step that this frame shows; nothing where none is known. */
+  shownBy(frame: FrameOrder): Shown | undefined {
     const last = this.steps.findLastIndex((step) => reaches(frame, step));
     if (last > 0) this.steps = this.steps.slice(last);
-    return last >= 0 ? this.steps[0]?.scene : undefined;
+    return last >= 0 ? this.steps[0]?.shown : undefined;
   }
 
   /** Revisions start anew with each session. */
-  restart(scene: Scene | undefined): void {
-    this.steps = scene ? [{ scene }] : [];
+  restart(shown: Shown | undefined): void {
+    this.steps = shown ? [{ shown }] : [];
+  }
+
+  private add(step: Step<Shown>): void {
+    const newest = this.steps.at(-1);
+    if (!newest || !this.same(newest.shown, step.shown)) this.steps = [...this.steps, step];
   }
 }

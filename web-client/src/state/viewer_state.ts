@@ -11,6 +11,9 @@ import type {
 import { NOTHING_EXPORTED, type ExportState } from './export_state.ts';
 import { NOTHING_MEASURED, type MeasureState } from './measure_state.ts';
 import type { OwnStyle } from './own_styles.ts';
+import type { SliceHover, Tilting } from './slice_pointing.ts';
+import { NO_SLICES, type SliceViews } from './slice_views.ts';
+import type { ViewName } from './views.ts';
 import type { LinkState, ShownFrame } from '../stream/worker_messages.ts';
 import type { Viewport } from '../view/camera.ts';
 import { DEFAULT_PREFERENCES, type Preferences } from '../preferences/preferences.ts';
@@ -52,8 +55,19 @@ export interface ViewerState {
   /** The style, the server's or an own one, that was put on last, or that the scene came with. */
   readonly base_style: Style | undefined;
   readonly volume: VolumeSummary | undefined;
+  /** Of the 3-D picture; those of the slices are theirs. */
   readonly viewport: Viewport | undefined;
-  /** Number of the last input that went out. */
+  readonly slice_views: SliceViews;
+  /** Has the page for itself for a while. */
+  readonly maximised: ViewName | undefined;
+  /** Under the pointer in a slice. */
+  readonly slice_hover: SliceHover | undefined;
+  /** A drag in a slice changes the window, and does not move the crosshair. */
+  readonly drags_window: boolean;
+  readonly tilting: Tilting | undefined;
+  /** Where the crosshair goes, the lens goes. */
+  readonly lens_at_crosshair: boolean;
+  /** Number of the last input that the 3-D picture is to show. */
   readonly sent_input: number;
   readonly shown: ShownFrame | undefined;
   /** What the picture shows; behind `scene` by its latency. */
@@ -97,6 +111,12 @@ export const INITIAL_STATE: ViewerState = {
   base_style: undefined,
   volume: undefined,
   viewport: undefined,
+  slice_views: NO_SLICES,
+  maximised: undefined,
+  slice_hover: undefined,
+  drags_window: false,
+  tilting: undefined,
+  lens_at_crosshair: false,
   sent_input: 0,
   shown: undefined,
   shown_scene: undefined,

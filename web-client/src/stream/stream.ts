@@ -13,13 +13,18 @@ export class WorkerStream implements Stream {
   });
 
   /**
-   * Starts to connect at once; pictures appear on `canvas`, everything else comes to `listener`.
+   * Starts to connect at once; pictures appear on the canvas of their view, by number, and everything
+   * else comes to `listener`.
    */
-  constructor(canvas: HTMLCanvasElement, url: string, listener: (event: FromWorker) => void) {
+  constructor(
+    canvases: readonly HTMLCanvasElement[],
+    url: string,
+    listener: (event: FromWorker) => void,
+  ) {
     this.worker.onmessage = ({ data }: MessageEvent<FromWorker>) => listener(data);
     this.worker.onerror = (event) => listener({ kind: 'fault', text: event.message });
-    const offscreen = canvas.transferControlToOffscreen();
-    this.post({ kind: 'start', url, canvas: offscreen }, [offscreen]);
+    const offscreen = canvases.map((canvas) => canvas.transferControlToOffscreen());
+    this.post({ kind: 'start', url, canvases: offscreen }, offscreen);
   }
 
   send(message: ClientMessage): void {

@@ -2,9 +2,9 @@
 // picture.
 import { decodeFrame, FrameHeaderError, type FrameMessage } from '../protocol/frame_header.ts';
 import type { ClientMessage, ServerMessage } from '../protocol/messages.ts';
-import { FrameQueue } from './frame_queue.ts';
-import { PicturePainter, pictureBlob } from './picture_painter.ts';
+import { pictureBlob } from './picture_painter.ts';
 import { ServerLink } from './server_link.ts';
+import { ViewStream, type FrameListener } from './view_stream.ts';
 import type { FromWorker, LinkState, ToWorker } from './worker_messages.ts';
 
 const post = (message: FromWorker, transfer: Transferable[] = []): void =>
@@ -12,14 +12,13 @@ const post = (message: FromWorker, transfer: Transferable[] = []): void =>
 const faultText = (error: unknown): string =>
   error instanceof Error ? error.message : String(error);
 
-class StreamWorker {
-  private readonly queue = new FrameQueue();
-  private readonly painter: PicturePainter;
+class StreamWorker implements FrameListener {
+  private readonly views: readonly ViewStream[];
   private readonly link: ServerLink;
-  private painting = false;
 
-  constructor(url: string, canvas: OffscreenCanvas) {
-    this.painter = new PicturePainter(canvas);
+  /** The canvases are those of the views, by number. */
+  constructor(url: string, canvases: readonly OffscreenCanvas[]) {
+    this.views = canvases.map((canvas) => new ViewStream(canvas, this));
     this.link = new ServerLink(url, this);
     this.link.connect();
   }
@@ -33,7 +32,7 @@ class StreamWorker {
   }
 
   onLinkState(state: LinkState): void {
-    if (state.phase === 'connected') this.queue.restart();
+    if (state.phase === 'connected') for (const view of this.views) view.restart();
     post({ kind: 'link', state });
   }
 
@@ -55,16 +54,27 @@ class StreamWorker {
   }
 
   private receive(message: FrameMessage): void {
-    const { type, frame: request } = message.header;
+    const { type, view, frame: request } = message.header;
     if (type === 'saved_still') {
       post({ kind: 'saved_still', request, png: pictureBlob(message) });
     } else if (type === 'preview') {
       void this.decodePreview(message);
-    } else if (this.queue.offer(message)) {
-      void this.paintWaiting();
     } else {
-      this.send({ type: 'ack', frame: message.header.frame });
+      this.views[view]?.received(message);
     }
+  }
+
+  done({ header: { view, frame } }: FrameMessage): void {
+    this.send({ type: 'ack', view, frame });
+  }
+
+  painted({ header, picture }: FrameMessage): void {
+    const latency_ms = performance.timeOrigin + performance.now() - header.clock_ms;
+    post({ kind: 'shown', frame: { ...header, bytes: picture.byteLength, latency_ms } });
+  }
+
+  failed({ header: { frame } }: FrameMessage, error: unknown): void {
+    post({ kind: 'fault', text: `frame ${frame} could not be decoded: ${faultText(error)}` });
   }
 
   private async decodePreview(message: FrameMessage): Promise<void> {
@@ -76,37 +86,12 @@ class StreamWorker {
       post({ kind: 'preview', request });
     }
   }
-
-  private async paintWaiting(): Promise<void> {
-    if (this.painting) return;
-    this.painting = true;
-    for (let next = this.queue.take(); next; next = this.queue.take()) await this.show(next);
-    this.painting = false;
-  }
-
-  /**
-   * A frame that cannot be decoded is acknowledged as well, or its credit would never come back.
-   */
-  private async show(message: FrameMessage): Promise<void> {
-    const { header } = message;
-    try {
-      await this.painter.paint(message);
-      const latency_ms = performance.timeOrigin + performance.now() - header.clock_ms;
-      post({ kind: 'shown', frame: { ...header, bytes: message.picture.byteLength, latency_ms } });
-    } catch (error) {
-      post({
-        kind: 'fault',
-        text: `frame ${header.frame} could not be decoded: ${faultText(error)}`,
-      });
-    }
-    this.send({ type: 'ack', frame: header.frame });
-  }
 }
 
 let worker: StreamWorker | undefined;
 
 self.onmessage = ({ data }: MessageEvent<ToWorker>) => {
-  if (data.kind === 'start') worker = new StreamWorker(data.url, data.canvas);
+  if (data.kind === 'start') worker = new StreamWorker(data.url, data.canvases);
   else if (data.kind === 'send') worker?.send(data.message);
   else worker?.connectNow();
 };

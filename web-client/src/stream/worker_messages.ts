@@ -3,7 +3,8 @@ import type { FrameHeader } from '../protocol/frame_header.ts';
 import type { ClientMessage, ServerMessage } from '../protocol/messages.ts';
 
 export type ToWorker =
-  | { readonly kind: 'start'; readonly url: string; readonly canvas: OffscreenCanvas }
+  /** The canvases are those of the views, by number. */
+  | { readonly kind: 'start'; readonly url: string; readonly canvases: readonly OffscreenCanvas[] }
   | { readonly kind: 'send'; readonly message: ClientMessage }
   /** Do not wait for the next attempt to connect. */
   | { readonly kind: 'connect_now' };

@@ -1,5 +1,5 @@
 // Patient directions in the picture. LPS: +x is the patient's left, +y posterior, +z superior.
-import { cameraAxes, type Camera } from './camera.ts';
+import type { CameraAxes } from './camera.ts';
 import type { Vector3 } from './vector.ts';
 
 const AXIS_LETTERS = [
@@ -33,8 +33,8 @@ export interface EdgeLetters {
   readonly left: string;
 }
 
-export function edgeLetters(camera: Camera): EdgeLetters {
-  const { right, up } = cameraAxes(camera);
+/** Of a picture whose right and up those are. */
+export function edgeLetters({ right, up }: Pick<CameraAxes, 'right' | 'up'>): EdgeLetters {
   const opposite = (v: Vector3): Vector3 => [-v[0], -v[1], -v[2]];
   return {
     top: directionLetters(up),

@@ -7,6 +7,7 @@ import { measure } from './english/measure.ts';
 import { messages } from './english/messages.ts';
 import { page } from './english/page.ts';
 import { panel } from './english/panel.ts';
+import { slices } from './english/slices.ts';
 import { numberIn } from './plural.ts';
 import { AS_SERVED, type ServedWords } from './served.ts';
 
@@ -26,5 +27,6 @@ export const english = {
   page,
   panel,
   served,
+  slices,
   volume_browser,
 };

@@ -7,6 +7,7 @@ import { measure } from './german/measure.ts';
 import { messages } from './german/messages.ts';
 import { page } from './german/page.ts';
 import { panel } from './german/panel.ts';
+import { slices } from './german/slices.ts';
 import { served } from './german/served.ts';
 import { numberIn } from './plural.ts';
 import type { Words } from './words.ts';
@@ -24,5 +25,6 @@ export const german: Words = {
   page,
   panel,
   served,
+  slices,
   volume_browser,
 };

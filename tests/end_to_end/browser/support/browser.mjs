@@ -28,6 +28,7 @@ export const openBrowser = () => chromium.launch({ executablePath, args: OPTIONS
 const WISHES = { locale: 'en-GB', colorScheme: 'dark' };
 
 export const DESKTOP = { ...WISHES, viewport: { width: 1440, height: 900 } };
+export const TABLET = { ...WISHES, viewport: { width: 1024, height: 768 }, hasTouch: true };
 export const PHONE = {
   ...WISHES,
   viewport: { width: 390, height: 844 },

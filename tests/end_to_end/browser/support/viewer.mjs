@@ -63,7 +63,10 @@ export class Viewer {
         const { connection, still, input, sent, loading } =
           document.querySelector('cutaway-app')?.dataset ?? {};
         return (
-          connection === 'connected' && still === 'true' && input === sent && loading === undefined
+          connection === 'connected' &&
+          still === 'true' &&
+          Number(input) >= Number(sent) &&
+          loading === undefined
         );
       },
       undefined,

@@ -10,7 +10,14 @@ export const keys = {
     'S and I.',
 
   /** What is printed on a key, where that is another word in another language. */
-  caps: { Shift: 'Shift', Alt: 'Alt', Ctrl: 'Ctrl', Esc: 'Esc' },
+  caps: {
+    Shift: 'Shift',
+    Alt: 'Alt',
+    Ctrl: 'Ctrl',
+    Esc: 'Esc',
+    PageUp: 'Page up',
+    PageDown: 'Page down',
+  },
 
   gestures: {
     rotate: ['Drag, or one finger', 'Rotate'],
@@ -19,15 +26,30 @@ export const keys = {
     move_lens: ['Drag the grip in the lens', 'Move the lens over the surface'],
     resize_lens: ['Alt or Shift + wheel, or drag the rim', 'Resize the lens'],
     place_point: ['Click or tap with a measuring tool', 'Place a point on the surface'],
-  } as Readonly<
-    Record<'rotate' | 'pan' | 'zoom' | 'move_lens' | 'resize_lens' | 'place_point', GestureWords>
-  >,
+    pick_crosshair: ['Click or tap, while slices are shown', 'Put the crosshair on the surface'],
+  } as Readonly<Record<string, GestureWords>>,
+  slice_gestures_heading: 'In a slice',
+  slice_gestures: {
+    crosshair: ['Click or drag, or one finger', 'Move the crosshair'],
+    scroll: ['Wheel, or the slider', 'Step through the slices'],
+    window: [
+      'Ctrl or Alt + drag, or drag after w',
+      'Window: across its width, up and down its centre',
+    ],
+    zoom: ['Right drag, Ctrl + wheel, or pinch', 'Zoom about the pointer'],
+    pan: ['Shift or middle drag, or two fingers', 'Pan'],
+    tilt: ['Drag the end of a crosshair line', 'Tilt that plane'],
+    lens: ['Drag the lens’ outline or its grips', 'Move or resize the lens'],
+    enlarge: ['Double click', 'Enlarge the view, and back'],
+  } as Readonly<Record<string, GestureWords>>,
 
   groups: {
     view: 'View',
     lens: 'Lens',
     measure: 'Measuring',
     style: 'Style and steps',
+    views: 'Views',
+    slices: 'In a slice',
     page: 'Page',
   },
   meanings: {
@@ -53,6 +75,18 @@ export const keys = {
     place_point: 'With a tool: place the point',
     take_back_point: 'With a tool: take back the last point',
     cancel_measuring: 'Give up the measurement, then the tool',
+    next_layout: 'Next layout: 3-D alone, all four, one large',
+    enlarge: 'Enlarge this view, and back',
+    lens_at_crosshair: 'Lens follows the crosshair, on or off',
+    window_presets: 'Window: soft tissue, lung, bone, brain, liver',
+    scroll: 'Next and previous slice',
+    scroll_ten: 'Ten slices on and back',
+    move_crosshair: 'Move the crosshair in the slice',
+    zoom_slice: 'Zoom in and out',
+    tilt: 'Tilt the other two planes',
+    reset_tilt: 'Straighten the planes',
+    reset_slice: 'Show the whole slice',
+    drag_window: 'Drag changes the window, on or off',
     reset_view: 'Reset the view',
     export: 'Export a picture or a film; ends a recording',
     record: 'Record the view for a film, or end that',

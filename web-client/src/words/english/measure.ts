@@ -14,12 +14,12 @@ export const measure = {
     probe: ['Probe: choose a point'],
   },
   surface_hint: 'Click or tap the surface; drag to turn it',
-  nothing_there: 'No surface here',
+  nothing_there: { volume: 'No surface here', slice: 'Beside the volume' },
   put_away: 'Put the tool away',
   take_back: 'Take back the last point',
 
   none: 'Nothing measured in this volume yet.',
-  how: 'Points lie on the surface that is drawn, and stay where they are in the patient.',
+  how: 'Points lie on the surface that is drawn, or in a slice, and stay where they are in the patient.',
   list: 'Measured',
   rename: (name: string) => `Name of ${name}`,
   show: (name: string) => `Select ${name} in the picture`,
@@ -35,7 +35,7 @@ export const measure = {
   as_json: 'Save as JSON',
   as_csv: 'Save as CSV',
   point: (name: string, number: number) => `${name}, point ${number}`,
-  point_hint: 'Arrow keys move the point over the surface, with Shift by single pixels.',
+  point_hint: 'Arrow keys move the point, with Shift by single pixels.',
   measured: (name: string, result: string) => `${name}: ${result}`,
   file: (volume: string) => `cutaway ${volume} measurements`,
 

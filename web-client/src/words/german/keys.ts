@@ -9,7 +9,14 @@ export const keys: Words['keys'] = {
     `${notice} Die Buchstaben an den Bildrändern sind die Richtungen des Patienten: R und L, A und ` +
     'P, S und I.',
 
-  caps: { Shift: 'Umschalt', Alt: 'Alt', Ctrl: 'Strg', Esc: 'Esc' },
+  caps: {
+    Shift: 'Umschalt',
+    Alt: 'Alt',
+    Ctrl: 'Strg',
+    Esc: 'Esc',
+    PageUp: 'Bild auf',
+    PageDown: 'Bild ab',
+  },
 
   gestures: {
     rotate: ['Ziehen, oder ein Finger', 'Drehen'],
@@ -18,6 +25,24 @@ export const keys: Words['keys'] = {
     move_lens: ['Am Griff in der Linse ziehen', 'Die Linse über die Oberfläche bewegen'],
     resize_lens: ['Alt oder Umschalt + Rad, oder am Rand ziehen', 'Größe der Linse ändern'],
     place_point: ['Mit Messwerkzeug klicken oder tippen', 'Punkt auf die Oberfläche setzen'],
+    pick_crosshair: [
+      'Klicken oder tippen, wenn Schichten da sind',
+      'Fadenkreuz auf die Oberfläche',
+    ],
+  },
+  slice_gestures_heading: 'In einer Schicht',
+  slice_gestures: {
+    crosshair: ['Klicken oder ziehen, oder ein Finger', 'Fadenkreuz bewegen'],
+    scroll: ['Rad, oder der Schieber', 'Durch die Schichten blättern'],
+    window: [
+      'Strg oder Alt + Ziehen, oder Ziehen nach w',
+      'Fenster: quer die Breite, auf und ab die Mitte',
+    ],
+    zoom: ['Rechte Taste + Ziehen, Strg + Rad, oder Spreizen', 'Um den Zeiger zoomen'],
+    pan: ['Umschalt oder mittlere Taste + Ziehen, oder zwei Finger', 'Verschieben'],
+    tilt: ['Am Ende einer Linie des Fadenkreuzes ziehen', 'Diese Ebene kippen'],
+    lens: ['Am Umriss der Linse oder ihren Griffen ziehen', 'Linse bewegen oder Größe ändern'],
+    enlarge: ['Doppelklick', 'Ansicht vergrößern, und zurück'],
   },
 
   groups: {
@@ -25,6 +50,8 @@ export const keys: Words['keys'] = {
     lens: 'Linse',
     measure: 'Messen',
     style: 'Stil und Schritte',
+    views: 'Ansichten',
+    slices: 'In einer Schicht',
     page: 'Seite',
   },
   meanings: {
@@ -50,6 +77,18 @@ export const keys: Words['keys'] = {
     place_point: 'Mit Werkzeug: Punkt setzen',
     take_back_point: 'Mit Werkzeug: letzten Punkt zurücknehmen',
     cancel_measuring: 'Messung aufgeben, dann das Werkzeug',
+    next_layout: 'Nächste Anordnung: 3-D allein, alle vier, eine große',
+    enlarge: 'Diese Ansicht vergrößern, und zurück',
+    lens_at_crosshair: 'Linse folgt dem Fadenkreuz, an oder aus',
+    window_presets: 'Fenster: Weichteile, Lunge, Knochen, Gehirn, Leber',
+    scroll: 'Nächste und vorige Schicht',
+    scroll_ten: 'Zehn Schichten vor und zurück',
+    move_crosshair: 'Fadenkreuz in der Schicht bewegen',
+    zoom_slice: 'Vergrößern und verkleinern',
+    tilt: 'Die beiden anderen Ebenen kippen',
+    reset_tilt: 'Ebenen gerade richten',
+    reset_slice: 'Die ganze Schicht zeigen',
+    drag_window: 'Ziehen ändert das Fenster, an oder aus',
     reset_view: 'Ansicht zurücksetzen',
     export: 'Bild oder Film exportieren; beendet eine Aufzeichnung',
     record: 'Ansicht für einen Film aufzeichnen, oder das beenden',

@@ -15,12 +15,12 @@ export const measure: Words['measure'] = {
     probe: ['Messpunkt: Punkt wählen'],
   },
   surface_hint: 'Oberfläche anklicken oder antippen; Ziehen dreht',
-  nothing_there: 'Hier ist keine Oberfläche',
+  nothing_there: { volume: 'Hier ist keine Oberfläche', slice: 'Neben dem Volumen' },
   put_away: 'Werkzeug weglegen',
   take_back: 'Letzten Punkt zurücknehmen',
 
   none: 'In diesem Volumen wurde noch nichts gemessen.',
-  how: 'Punkte liegen auf der gezeichneten Oberfläche und bleiben an ihrer Stelle im Patienten.',
+  how: 'Punkte liegen auf der gezeichneten Oberfläche oder in einer Schicht und bleiben an ihrer Stelle im Patienten.',
   list: 'Gemessen',
   rename: (name) => `Name von ${name}`,
   show: (name) => `${name} im Bild auswählen`,
@@ -37,7 +37,7 @@ export const measure: Words['measure'] = {
   as_json: 'Als JSON speichern',
   as_csv: 'Als CSV speichern',
   point: (name, number) => `${name}, Punkt ${number}`,
-  point_hint: 'Pfeiltasten bewegen den Punkt über die Oberfläche, mit Umschalt um einzelne Pixel.',
+  point_hint: 'Pfeiltasten bewegen den Punkt, mit Umschalt um einzelne Pixel.',
   measured: (name, result) => `${name}: ${result}`,
   file: (volume) => `cutaway ${volume} Messungen`,
 

@@ -1,0 +1,108 @@
+// What has to be said over the pictures: that there is none yet, or no connection, or that another
+// style is shown for comparison.
+import { css, html, nothing } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { linkReason } from '../state/link_reason.ts';
+import { shared } from '../styles/shared.ts';
+import { words } from '../words/words.ts';
+import { SessionElement } from './session_element.ts';
+
+@customElement('cutaway-picture-messages')
+export class PictureMessages extends SessionElement {
+  protected override readonly draws = [
+    'link',
+    'shown',
+    'loading',
+    'volumes',
+    'awaits_volume',
+    'capabilities',
+    'comparing',
+    'stalled',
+  ] as const;
+
+  static override styles = [
+    shared,
+    css`
+      :host {
+        position: absolute;
+        inset: 0;
+        pointer-events: none;
+      }
+      .banner {
+        position: absolute;
+        top: 44px;
+        left: 50%;
+        transform: translateX(-50%);
+        display: flex;
+        gap: 12px;
+        align-items: center;
+        width: max-content;
+        max-width: calc(100% - 32px);
+        padding: 10px 14px;
+        border: 1px solid var(--line-strong);
+        border-radius: var(--radius);
+        background: var(--surface-floating);
+        box-shadow: var(--shadow);
+        pointer-events: auto;
+      }
+      .chip {
+        position: absolute;
+        top: 44px;
+        left: 50%;
+        transform: translateX(-50%);
+        padding: 6px 14px;
+        border-radius: 999px;
+        background: var(--on-picture-accent);
+        color: var(--on-picture-on-accent);
+        font-weight: 600;
+      }
+      .empty {
+        position: absolute;
+        inset: 0;
+        display: grid;
+        place-content: center;
+        justify-items: center;
+        gap: 6px;
+        padding: 24px;
+        text-align: center;
+        color: var(--text-quiet);
+      }
+    `,
+  ];
+
+  override render() {
+    return html`${this.emptyNote()} ${this.offlineBanner()} ${this.comparison()}`;
+  }
+
+  private emptyNote() {
+    const { shown, loading, link, capabilities, volumes, awaits_volume } = this.state;
+    if (shown || loading || link.phase === 'waiting' || link.phase === 'queued') return nothing;
+    const texts = words().page;
+    const empty = capabilities !== undefined && volumes.length === 0;
+    const coming = awaits_volume ? texts.looking_for_volumes : texts.preparing;
+    const waiting = link.phase === 'connecting' ? texts.connecting : coming;
+    const text = empty ? texts.no_volumes : waiting;
+    return html`<div class="empty">${text}</div>`;
+  }
+
+  private comparison() {
+    if (!this.state.comparing) return nothing;
+    return html`<div class="chip" data-part="comparing">${words().page.comparing}</div>`;
+  }
+
+  private offlineBanner() {
+    const { link } = this.state;
+    const texts = words().page;
+    if (link.phase === 'queued')
+      return html`<div class="banner"><span>${texts.queue(link.place)}</span></div>`;
+    if (link.phase === 'connected' && this.state.stalled)
+      return html`<div class="banner" data-part="stalled"><span>${texts.stalled}</span></div>`;
+    if (link.phase !== 'waiting') return nothing;
+    return html`<div class="banner">
+      <span>${texts.reconnecting(linkReason(link))}</span>
+      <button class="text-button" @click=${() => this.session.commands.connectNow()}>
+        ${texts.try_now}
+      </button>
+    </div>`;
+  }
+}

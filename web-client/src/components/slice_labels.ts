@@ -1,0 +1,159 @@
+// What stands in a slice: which it is, where it lies, its window, and what the pointer is over.
+import { css, html, nothing } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { positionText, valueText } from '../state/measure_text.ts';
+import { sliceOffsetText, windowText } from '../state/slice_text.ts';
+import type { SliceName, Slices } from '../view/slice_geometry.ts';
+import { isTilted } from '../view/slice_motion.ts';
+import { plane_colours } from '../styles/planes.ts';
+import { shared } from '../styles/shared.ts';
+import { words } from '../words/words.ts';
+import { SessionElement } from './session_element.ts';
+
+@customElement('cutaway-slice-labels')
+export class SliceLabels extends SessionElement {
+  protected override readonly draws = ['scene', 'volume', 'slice_hover', 'drags_window'] as const;
+
+  @property({ attribute: false }) slice!: SliceName;
+
+  static override styles = [
+    shared,
+    plane_colours,
+    css`
+      :host {
+        position: absolute;
+        inset: 0;
+        color: var(--on-picture-text);
+        font-size: 12px;
+        font-variant-numeric: tabular-nums;
+        pointer-events: none;
+      }
+      .corner {
+        position: absolute;
+        top: 8px;
+        right: 44px;
+        display: grid;
+        justify-items: end;
+        gap: 3px;
+        max-width: calc(100% - 52px);
+      }
+      .chip {
+        padding: 2px 7px;
+        border: 0;
+        border-radius: 5px;
+        background: var(--on-picture-surface);
+        font: inherit;
+        white-space: nowrap;
+      }
+      .name::before {
+        content: '';
+        display: inline-block;
+        width: 9px;
+        height: 9px;
+        margin-right: 6px;
+        border-radius: 2px;
+        background: var(--plane);
+      }
+      .name b {
+        font-weight: 600;
+      }
+      .window {
+        pointer-events: auto;
+      }
+      .window:hover {
+        background: #33414a;
+      }
+      .window[aria-pressed='true'] {
+        background: var(--on-picture-accent);
+        color: var(--on-picture-on-accent);
+      }
+      .hover {
+        position: absolute;
+        left: 10px;
+        bottom: 38px;
+        max-width: calc(100% - 20px);
+        overflow: hidden;
+        text-overflow: ellipsis;
+      }
+      @media (pointer: coarse) {
+        .window {
+          min-height: 32px;
+        }
+      }
+      @container (max-width: 340px) {
+        :host {
+          font-size: 11px;
+        }
+        .corner {
+          right: 39px;
+          max-width: calc(100% - 42px);
+        }
+        .convention {
+          display: none;
+        }
+      }
+      @container (max-width: 220px) or (max-height: 200px) {
+        .hover,
+        .window {
+          display: none;
+        }
+      }
+      @container (max-width: 190px) {
+        .position {
+          display: none;
+        }
+      }
+    `,
+  ];
+
+  override render() {
+    const { scene, volume } = this.state;
+    const slices = scene?.slices;
+    if (!slices || !volume) return nothing;
+    return html`<div class="corner">
+        <span class="chip name ${this.slice}" data-part="slice-name">
+          <b>${words().slices.names[this.slice]}</b> ${this.position(slices)}
+        </span>
+        ${this.window(slices)}
+        <span class="chip convention" data-part="convention">${this.convention(slices)}</span>
+      </div>
+      ${this.hover()}`;
+  }
+
+  private position(slices: Slices) {
+    const text = sliceOffsetText(slices, this.slice);
+    return html`<span class="position" data-part="slice-position">${text}</span>`;
+  }
+
+  private convention(slices: Slices): string {
+    const { conventions, tilted } = words().slices;
+    const convention = conventions[slices.convention ?? 'radiological'];
+    return isTilted(slices) ? `${convention} · ${tilted}` : convention;
+  }
+
+  /** A button: by touch it is how a drag comes to change the window. */
+  private window({ window }: Slices) {
+    const { volume, drags_window } = this.state;
+    if (window?.centre === undefined || window.width === undefined || !volume) return nothing;
+    const text = windowText({ centre: window.centre, width: window.width }, volume.units);
+    return html`<button
+      class="chip window"
+      aria-pressed=${drags_window ? 'true' : 'false'}
+      aria-label="${words().slices.names[this.slice]}: ${text}. ${words().slices.window_drag}"
+      title=${words().slices.window_drag}
+      data-part="slice-window"
+      @click=${() => this.session.slicing.toggleWindowDrag()}
+    >
+      ${text}
+    </button>`;
+  }
+
+  private hover() {
+    const { slice_hover, volume } = this.state;
+    if (slice_hover?.slice !== this.slice || !slice_hover.found || !volume) return nothing;
+    const { value, position_mm } = slice_hover.found;
+    return html`<span class="chip hover" data-part="slice-hover">
+      ${valueText(value, volume.units)} · ${positionText(position_mm)}
+    </span>`;
+  }
+}
