@@ -89,24 +89,31 @@ export class Slices {
 
   /** Mean brightness of a small square about a point of the screen, 0..255. */
   async brightness([x, y]) {
-    const clip = {
-      x: Math.round(x) - 3,
-      y: Math.round(y) - 3,
-      width: 6,
-      height: 6,
-    };
+    const greys = await this.greys({ x: x - 3, y: y - 3, width: 6, height: 6 });
+    return greys.reduce((sum, grey) => sum + grey, 0) / greys.length;
+  }
+
+  /** The brightness of each pixel of the screen from a point on to the right. */
+  async row([x, y], length_px) {
+    return this.greys({ x, y, width: length_px, height: 1 });
+  }
+
+  async greys({ x, y, width, height }) {
+    const clip = { x: Math.round(x), y: Math.round(y), width, height };
     const png = await this.page.screenshot({ clip, animations: 'disabled' });
-    return this.page.evaluate(meanOf, png.toString('base64'));
+    return this.page.evaluate(greysOf, png.toString('base64'));
   }
 }
 
 /** Runs in the page. */
-async function meanOf(base64) {
+async function greysOf(base64) {
   const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
   const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
   const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
   context.drawImage(bitmap, 0, 0);
   const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-  const sum = data.reduce((total, part, index) => total + (index % 4 === 3 ? 0 : part), 0);
-  return sum / ((data.length / 4) * 3);
+  const greys = [];
+  for (let at = 0; at < data.length; at += 4)
+    greys.push((data[at] + data[at + 1] + data[at + 2]) / 3);
+  return greys;
 }
