@@ -49,7 +49,7 @@ describe('a student’s day', { skip: skip || (isStandIn && 'draws no volume') }
 async function showVessels(viewer) {
   const { page } = viewer;
   await viewer.openTab('Adjust');
-  const chips = page.getByRole('group', { name: 'Focus: Tissues' });
+  const chips = page.getByRole('group', { name: 'Focus: Tissue' });
   await viewer.after(() => chips.locator('[data-tissue=contrast_vessels]').click());
   const grip = await viewer.gripMiddle();
   await viewer.after(() => viewer.drag(grip, [grip[0], grip[1] - 60]));
