@@ -47,7 +47,7 @@ export class Viewer {
 
   /** Where a connection was lost on purpose, of which the browser itself complains. */
   async closeAfterLoss() {
-    const due_to_it = /WebSocket connection|ERR_CONNECTION_REFUSED/;
+    const due_to_it = /WebSocket connection|ERR_CONNECTION_(REFUSED|RESET)/;
     this.complaints = this.complaints.filter((text) => !due_to_it.test(text));
     await this.close();
   }
