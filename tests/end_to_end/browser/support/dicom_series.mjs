@@ -39,7 +39,12 @@ function metaHeader(instance) {
   ]);
   const length = Buffer.alloc(4);
   length.writeUInt32LE(elements.length);
-  return Buffer.concat([Buffer.alloc(128), Buffer.from('DICM'), element(2, 0, 'UL', length), elements]);
+  return Buffer.concat([
+    Buffer.alloc(128),
+    Buffer.from('DICM'),
+    element(2, 0, 'UL', length),
+    elements,
+  ]);
 }
 
 const combined = (terms) =>

@@ -21,8 +21,8 @@ export class Slices {
   }
 
   async choose(layout) {
-    await this.page.locator(`cutaway-layout-choice [data-layout=${layout}]`).click();
-    await this.page.locator(`[data-part=views][data-layout=${layout}]`).waitFor();
+    await this.page.locator(`cutaway-layout-choice [data-layout="${layout}"]`).click();
+    await this.page.locator(`[data-part=views][data-layout="${layout}"]`).waitFor();
     await this.settled();
   }
 
