@@ -33,7 +33,9 @@ describe('a student’s day', { skip: skip || (isStandIn && 'draws no volume') }
     await readsVessel(slices);
     await viewer.screenshot('student-slices');
     assert.ok((await warmthInLens(viewer)) > 60, 'the lens shows nothing where the artery is');
-    await slices.choose('3d');
+    await page.locator('cutaway-layout-choice [data-layout=single]').click();
+    await slices.of('axial').waitFor({ state: 'detached' });
+    await viewer.settled();
     await viewer.openTab('Styles');
     await viewer.pictured('anatomy-atlas');
     await viewer.after(() => page.locator('[data-style=anatomy-atlas]').click());
