@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/frame_pipeline.h"
+#include "render/stage_keys.h"
 
 namespace cutaway {
 
@@ -25,7 +25,7 @@ bool PictureTiles::is_due(glm::ivec2 size_px) {
 PictureTiles::PictureTiles(const RenderRequest& whole)
     : whole_(whole),
       size_px_(whole.settings.picture_size_px),
-      margin_px_(FramePipeline::tile_margin_px(*whole.scene)),
+      margin_px_(tile_margin_px(*whole.scene)),
       columns_(tiles_along(size_px_.x)),
       rows_(tiles_along(size_px_.y)),
       rgba_(kBytesAPixel * static_cast<std::size_t>(size_px_.x) * size_px_.y) {}

@@ -1,10 +1,8 @@
 #include "render/frame_pipeline.h"
 
-#include <algorithm>
-
 #include "core/check.h"
 #include "render/shaders.h"
-#include "scene/view_geometry.h"
+#include "render/stage_keys.h"
 
 namespace cutaway {
 
@@ -18,50 +16,6 @@ constexpr int kRayCost = 4;
 
 /// The region of a pass that is drawn as one.
 constexpr gl::PixelRect kIndivisible{{0, 0}, {1, 1}};
-
-/// The lens as far as rays are concerned: moving a slider of the composite casts none.
-Lens region_of(const Lens& lens) {
-  const Lens defaults;
-  Lens region = lens;
-  region.strength = defaults.strength;
-  region.softness = defaults.softness;
-  region.strict = defaults.strict;
-  return region;
-}
-
-std::array<Look, kBranches> looks_of(const Scene& scene) {
-  const glm::vec3 light = light_direction_patient(scene.light, scene.camera);
-  return {Look{scene.context.shading, light}, Look{scene.focus.shading, light}};
-}
-
-RayCastKey ray_cast_key(const Scene& scene, const GpuVolume& volume,
-                        const RenderSettings& settings) {
-  RayCastKey key{
-      .rays = in_tile(view_rays(scene.camera, scene.viewport, volume.volume().geometry), settings),
-      .surfaces = {scene.context.surface, scene.focus.surface},
-      .looks = {},
-      .lens = region_of(scene.lens),
-      .step_voxels = settings.step_voxels,
-      .skip_empty_space = settings.skip_empty_space};
-  if (scene.context.surface.opacity < 1.0 || scene.focus.surface.opacity < 1.0)
-    key.looks = looks_of(scene);
-  return key;
-}
-
-std::optional<MagicLens> magic_lens(const Scene& scene, const ViewRays& rays) {
-  if (scene.lens.mode != LensMode::magic) return std::nullopt;
-  return MagicLens{scene.lens, rays};
-}
-
-int farthest_reach_px(const Scene& scene, double resolution_scale) {
-  int reach_px = 0;
-  for (const Branch* branch : {&scene.context, &scene.focus}) {
-    for (const Module& filter : branch->filters)
-      reach_px = std::max(
-          reach_px, FilterPass::reach_px({.filter = filter, .resolution_scale = resolution_scale}));
-  }
-  return reach_px;
-}
 
 std::vector<glm::vec4> texels_of(const gl::Texture2D& texture) {
   const glm::ivec2 size = texture.size_px();
@@ -96,19 +50,6 @@ FramePipeline::FramePipeline()
       composite_pass_(shaders_),
       slice_pass_(shaders_),
       convert_pass_(shaders_) {}
-
-int FramePipeline::tile_margin_px(const Scene& scene) {
-  // What a filter's small kernel and a region's margin read beside a pixel.
-  constexpr int kNeighbours_px = 4;
-  int margin_px = 0;
-  for (const Branch* branch : {&scene.context, &scene.focus}) {
-    int of_branch_px = 0;
-    for (const Module& filter : branch->filters)
-      of_branch_px += FilterPass::reach_px({.filter = filter}) + kNeighbours_px;
-    margin_px = std::max(margin_px, of_branch_px);
-  }
-  return margin_px;
-}
 
 FramePlan FramePipeline::plan(ViewState& view, const Scene& scene, GpuVolume& volume,
                               const RenderSettings& settings) {

@@ -72,10 +72,6 @@ class FramePipeline {
   FramePlan plan(ViewState& view, const Scene& scene, GpuVolume& volume,
                  const RenderSettings& settings);
 
-  /// By how much a tile must be larger on each side for what its filters read beside it: what lies
-  /// further in is as in the whole picture.
-  static int tile_margin_px(const Scene& scene);
-
   /// The same, drawn at once.
   void render(ViewState& view, const Scene& scene, GpuVolume& volume,
               const RenderSettings& settings) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "render/stage_keys.h"
 #include "support/analytic_volumes.h"
 #include "support/gpu_harness.h"
 
@@ -46,7 +47,7 @@ TEST_P(Tiles, AreThePictureThereOfTheWholeOne) {
   RenderSettings settings = settings_for(scene);
   GpuHarness& gpu = GpuHarness::instance();
   const BytePicture whole = gpu.render(scene, volume, settings);
-  const int margin_px = FramePipeline::tile_margin_px(scene);
+  const int margin_px = tile_margin_px(scene);
   for (const glm::ivec2 begin : {glm::ivec2(0, 0), {60, 35}, {110, 80}}) {
     settings.picture_size_px = {120, 90};
     settings.tile = PictureTile{begin, whole.size_px};

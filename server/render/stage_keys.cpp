@@ -1,0 +1,71 @@
+#include "render/stage_keys.h"
+
+#include <algorithm>
+
+#include "render/filters/filter_pass.h"
+#include "scene/view_geometry.h"
+
+namespace cutaway {
+
+namespace {
+
+/// The lens as far as rays are concerned: moving a slider of the composite casts none.
+Lens region_of(const Lens& lens) {
+  const Lens defaults;
+  Lens region = lens;
+  region.strength = defaults.strength;
+  region.softness = defaults.softness;
+  region.strict = defaults.strict;
+  return region;
+}
+
+}  // namespace
+
+std::array<Look, kBranches> looks_of(const Scene& scene) {
+  const glm::vec3 light = light_direction_patient(scene.light, scene.camera);
+  return {Look{scene.context.shading, light}, Look{scene.focus.shading, light}};
+}
+
+RayCastKey ray_cast_key(const Scene& scene, const GpuVolume& volume,
+                        const RenderSettings& settings) {
+  RayCastKey key{
+      .rays = in_tile(view_rays(scene.camera, scene.viewport, volume.volume().geometry), settings),
+      .surfaces = {scene.context.surface, scene.focus.surface},
+      .looks = {},
+      .lens = region_of(scene.lens),
+      .step_voxels = settings.step_voxels,
+      .skip_empty_space = settings.skip_empty_space};
+  if (scene.context.surface.opacity < 1.0 || scene.focus.surface.opacity < 1.0)
+    key.looks = looks_of(scene);
+  return key;
+}
+
+std::optional<MagicLens> magic_lens(const Scene& scene, const ViewRays& rays) {
+  if (scene.lens.mode != LensMode::magic) return std::nullopt;
+  return MagicLens{scene.lens, rays};
+}
+
+int farthest_reach_px(const Scene& scene, double resolution_scale) {
+  int reach_px = 0;
+  for (const Branch* branch : {&scene.context, &scene.focus}) {
+    for (const Module& filter : branch->filters)
+      reach_px = std::max(
+          reach_px, FilterPass::reach_px({.filter = filter, .resolution_scale = resolution_scale}));
+  }
+  return reach_px;
+}
+
+int tile_margin_px(const Scene& scene) {
+  // What a filter's small kernel and a region's margin read beside a pixel.
+  constexpr int kNeighbours_px = 4;
+  int margin_px = 0;
+  for (const Branch* branch : {&scene.context, &scene.focus}) {
+    int of_branch_px = 0;
+    for (const Module& filter : branch->filters)
+      of_branch_px += FilterPass::reach_px({.filter = filter}) + kNeighbours_px;
+    margin_px = std::max(margin_px, of_branch_px);
+  }
+  return margin_px;
+}
+
+}  // namespace cutaway

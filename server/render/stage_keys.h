@@ -1,0 +1,31 @@
+// What of a scene the stages read: the keys by which they know that nothing has changed.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "render/composite_pass.h"
+#include "render/gpu_volume.h"
+#include "render/ray_cast_pass.h"
+#include "render/render_settings.h"
+#include "scene/scene.h"
+
+namespace cutaway {
+
+/// Without the entry's version.
+RayCastKey ray_cast_key(const Scene& scene, const GpuVolume& volume,
+                        const RenderSettings& settings);
+
+std::array<Look, kBranches> looks_of(const Scene& scene);
+
+/// Nothing where the lens is another one.
+std::optional<MagicLens> magic_lens(const Scene& scene, const ViewRays& rays);
+
+/// How far a filter of the scene reads beside a pixel by its sums.
+int farthest_reach_px(const Scene& scene, double resolution_scale);
+
+/// By how much a tile must be larger on each side for what its filters read beside it: what lies
+/// further in is as in the whole picture.
+int tile_margin_px(const Scene& scene);
+
+}  // namespace cutaway
