@@ -4,6 +4,7 @@ import './icons/register.ts';
 import { CutawayApp } from './components/app.ts';
 import { isPhone } from './components/phone.ts';
 import { listenToKeys } from './interaction/keyboard.ts';
+import { keepFocus } from './interaction/kept_focus.ts';
 import { observeHeldPointer } from './interaction/held_pointer.ts';
 import { keepSceneInAddress } from './session/address_bar.ts';
 import { openViewerSession } from './session/viewer_session.ts';
@@ -33,6 +34,7 @@ const fault = keepPreferences(session, new PreferenceStore(openStorage), default
 keepLook(session, document, matchMedia('(prefers-color-scheme: light)'));
 keepSceneInAddress(session);
 listenToKeys(window, session);
+keepFocus(document, session.store);
 observeHeldPointer((pointer_held) => session.store.update({ pointer_held }));
 
 await keepSpeaking(session, document.documentElement, navigator.languages);
