@@ -20,10 +20,16 @@ export function resultText({ value, unit }: MeasurementResult): string {
   return valueText(value, unit);
 }
 
+/** 'L 12.3'; what rounds to nothing is on neither side. `distance_mm` >= 0. */
+export function sidedText(letters: string, distance_mm: number): string {
+  const text = words().number(distance_mm, DIGITS);
+  return text === words().number(0, DIGITS) ? text : `${letters} ${text}`;
+}
+
 /** 'L 12.3 · P 40.1 · S 8.8 mm' */
 export function positionText(position_mm: Vector3): string {
-  const parts = sidedCoordinates(position_mm).map(
-    ({ letter, distance_mm }) => `${letter} ${words().number(distance_mm, DIGITS)}`,
+  const parts = sidedCoordinates(position_mm).map(({ letter, distance_mm }) =>
+    sidedText(letter, distance_mm),
   );
   return `${parts.join(' · ')} mm`;
 }

@@ -4,15 +4,13 @@ import { directionLetters } from '../view/orientation.ts';
 import { sliceNormal, type SliceName, type Slices } from '../view/slice_geometry.ts';
 import { dot, scale, type Vector3 } from '../view/vector.ts';
 import { words } from '../words/words.ts';
-import { valueText } from './measure_text.ts';
+import { sidedText, valueText } from './measure_text.ts';
 import type { ValueWindow } from './value_window.ts';
-
-const DIGITS = 1;
 
 /** 'S 34.5 mm': the patient's direction along the normal, and how far from the origin. */
 export function offsetText(normal: Vector3, offset_mm: number): string {
   const direction = offset_mm < 0 ? scale(normal, -1) : normal;
-  return `${directionLetters(direction)} ${words().number(Math.abs(offset_mm), DIGITS)} mm`;
+  return `${sidedText(directionLetters(direction), Math.abs(offset_mm))} mm`;
 }
 
 export function sliceOffsetText(slices: Slices, name: SliceName): string {

@@ -42,7 +42,7 @@ export class Slices {
     );
   }
 
-  /** Text of each slice's position: { axial: 'S 0.0 mm', ... }. */
+  /** Text of each slice's position: { axial: 'S 12.5 mm', ... }. */
   async positions() {
     const texts = await Promise.all(
       NAMES.map((name) => this.part(name, 'slice-position').textContent()),
