@@ -5,9 +5,8 @@ import { customElement, property } from 'lit/decorators.js';
 import '@awesome.me/webawesome/dist/components/icon/icon.js';
 import { shared } from '../styles/shared.ts';
 import { linkReason } from '../state/link_reason.ts';
+import './dialogs.ts';
 import './export_chip.ts';
-import './export_dialog.ts';
-import './help_dialog.ts';
 import './panel.ts';
 import { SessionElement } from './session_element.ts';
 import './status_line.ts';
@@ -128,8 +127,7 @@ export class CutawayApp extends SessionElement {
         <cutaway-panel .session=${this.session}></cutaway-panel>
       </aside>
       <cutaway-toast-stack .session=${this.session}></cutaway-toast-stack>
-      <cutaway-help-dialog .session=${this.session}></cutaway-help-dialog>
-      <cutaway-export-dialog .session=${this.session}></cutaway-export-dialog>
+      <cutaway-dialogs .session=${this.session}></cutaway-dialogs>
       <div class="visually-hidden" role="status">${this.announcement()}</div>
     `;
   }
