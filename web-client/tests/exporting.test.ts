@@ -32,7 +32,7 @@ const wish: FilmWish = {
 
 describe('a picture', () => {
   it('is asked for in the size wanted, and saved under the volume’s name', async () => {
-    const saving = exporting().savePicture({ width_px: 3000, height_px: 2000 });
+    const saving = exporting().savePicture('3d', { width_px: 3000, height_px: 2000 });
     expect(harness.sent.at(-1)).toEqual({
       type: 'save_still',
       request: lastRequest(),
@@ -46,16 +46,34 @@ describe('a picture', () => {
     expect(state()).toMatchObject({ job: undefined, outcome: { kind: 'saved', bytes: 3 } });
   });
 
+  it('of a slice is asked for by the slice’s number, and named after it', async () => {
+    const saving = exporting().savePicture('coronal', size);
+    expect(harness.sent.at(-1)).toMatchObject({ type: 'save_still', view: 2, ...size });
+    answer(lastRequest());
+    await saving;
+    expect(harness.saved[0]?.[0]).toBe('cutaway Head coronal.png');
+  });
+
+  it('is of the view from which the export was opened, or of the large one', () => {
+    exporting().open('axial');
+    expect(state()).toMatchObject({ open: true, view: 'axial' });
+    exporting().open();
+    expect(state().view).toBe('3d');
+    harness.session.commands.prefer({ layout: 'focus', main_view: 'sagittal' });
+    exporting().open();
+    expect(state().view).toBe('sagittal');
+  });
+
   it('shows what the user has changed just now', () => {
     harness.session.commands.orbit(10, 0);
-    void exporting().savePicture(size);
+    void exporting().savePicture('3d', size);
     expect(harness.sent.slice(-2).map(({ type }) => type)).toEqual(['scene', 'save_still']);
   });
 
   it('that is refused says why, in the dialog or without it', async () => {
     const refusal = { type: 'error', code: 'too-large', message: 'No' } as const;
     exporting().show(true);
-    const first = exporting().savePicture(size);
+    const first = exporting().savePicture('3d', size);
     harness.say({ ...refusal, request: lastRequest() });
     await first;
     const outcome = { kind: 'failed', title: 'Too large for this server', detail: 'No.' };
@@ -63,14 +81,14 @@ describe('a picture', () => {
     expect(harness.state.toasts).toEqual([]);
     exporting().show(false);
     expect(state().outcome).toBeUndefined();
-    const second = exporting().savePicture(size);
+    const second = exporting().savePicture('3d', size);
     harness.say({ ...refusal, request: lastRequest() });
     await second;
     expect(harness.state.toasts).toMatchObject([{ title: 'Too large for this server' }]);
   });
 
   it('of a lost connection is given up, with a reason', async () => {
-    const saving = exporting().savePicture(size);
+    const saving = exporting().savePicture('3d', size);
     harness.emit({ kind: 'link', state: { phase: 'connecting' } });
     await saving;
     expect(state().outcome).toMatchObject({ kind: 'failed', title: 'The export was given up' });
@@ -129,7 +147,7 @@ describe('a film', () => {
     await settle();
     exporting().cancel();
     await first;
-    void exporting().savePicture(size);
+    void exporting().savePicture('3d', size);
     expect(asked()).toHaveLength(2);
     answer(asked()[0]?.request ?? 0);
     expect(asked()).toHaveLength(3);

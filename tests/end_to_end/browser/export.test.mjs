@@ -4,6 +4,7 @@ import { describe, it } from 'node:test';
 import { assertAccessible } from './support/accessible.mjs';
 import { DESKTOP, PHONE, skip } from './support/browser.mjs';
 import { download, pictureFacts, videoFacts, zipEntries } from './support/files.mjs';
+import { Slices } from './support/slices.mjs';
 import { servedPage } from './support/suite.mjs';
 
 const GERMAN = { ...DESKTOP, locale: 'de-DE' };
@@ -75,6 +76,30 @@ describe('the export', { skip }, () => {
       ['Width', 'Height'].map(async (side) => Number(await viewer.number(side).inputValue())),
     );
     assert.equal(Math.max(...sides), 8192);
+  });
+
+  it('saves a slice in its own shape', async () => {
+    const slices = new Slices(viewer);
+    await slices.choose('focus');
+    await slices.stage('coronal').focus();
+    await viewer.page.keyboard.press('e');
+    const choice = viewer.page.getByRole('combobox', { name: 'Picture of' });
+    await choice.waitFor();
+    assert.equal(await choice.inputValue(), 'Coronal', 'the view that has the focus');
+    await setNumber('Width', 300);
+    await viewer.screenshot('desktop-export-slice');
+    const { name, bytes } = await download(viewer, () => button('Save the picture').click());
+    assert.match(name, /^cutaway .* coronal\.png$/);
+    const { width, height, others } = await pictureFacts(viewer, bytes);
+    const shape = await slices.box('coronal');
+    assert.equal(width, 300);
+    assert.ok(Math.abs(height - (300 * shape.height) / shape.width) <= 1.5, `${height} px high`);
+    assert.ok(others > 20, `${others} of 400 places differ from the corner`);
+    await viewer.choose('Picture of', '3-D');
+    const view = await viewer.stageBox();
+    assert.equal(await viewer.number('Width').inputValue(), '300');
+    const made = Number(await viewer.number('Height').inputValue());
+    assert.ok(Math.abs(made - (300 * view.height) / view.width) <= 1.5, `${made} px high`);
   });
 
   it('makes a WebM with every frame of a turntable', async () => {

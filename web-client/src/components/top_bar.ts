@@ -145,7 +145,7 @@ export class TopBar extends SessionElement {
         ${this.followButton()} ${this.button('undo', bar.undo, () => commands.undo(), !can_undo)}
         ${this.button('redo', bar.redo, () => commands.redo(), !can_redo)}
         ${this.button('link', bar.copy_link, () => void this.copyLink(), !volume)}
-        ${this.button('save', words().export.open, () => this.session.exporting.show(true), !shown)}
+        ${this.button('save', words().export.open, () => this.session.exporting.open(), !shown)}
         ${this.button('help', bar.help, () => commands.toggleHelp(true))}
         ${this.button('panel', toggle, () => commands.togglePanel(), false, 'panel-toggle')}
       </nav>

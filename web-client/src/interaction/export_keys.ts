@@ -1,17 +1,18 @@
 // Keys of the export: its dialog, and a recording of the view.
 import type { Exporting } from '../session/exporting.ts';
+import type { ViewName } from '../state/views.ts';
 import type { KeyBinding } from './key_binding.ts';
 
 const plainKey =
-  (name: string, action: (exporting: Exporting) => void): KeyBinding['apply'] =>
-  (event, { exporting }) => {
+  (name: string, action: (exporting: Exporting, view: ViewName) => void): KeyBinding['apply'] =>
+  (event, { exporting }, { view }) => {
     if (event.key !== name || event.ctrlKey || event.metaKey || event.altKey) return false;
-    action(exporting);
+    action(exporting, view);
     return true;
   };
 
 export const EXPORT_KEYS: readonly KeyBinding[] = [
-  { keys: 'e', meaning: 'export', group: 'page', apply: plainKey('e', (e) => e.show(true)) },
+  { keys: 'e', meaning: 'export', group: 'page', apply: plainKey('e', (e, view) => e.open(view)) },
   {
     keys: 'Shift + E',
     meaning: 'record',

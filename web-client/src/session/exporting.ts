@@ -9,8 +9,10 @@ import { turntableFilm, type Turntable } from '../film/turntable.ts';
 import type { ExportJob, ExportState } from '../state/export_state.ts';
 import { fileName } from '../state/file_name.ts';
 import { viewCamera } from '../state/scene_parts.ts';
+import { viewChoice } from '../state/slice_views.ts';
 import type { Store } from '../state/store.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
+import { chiefView, viewNumber, type ViewName } from '../state/views.ts';
 import type { Viewport } from '../view/camera.ts';
 import { words } from '../words/words.ts';
 import { PathRecorder } from './path_recorder.ts';
@@ -48,6 +50,16 @@ export class Exporting {
     });
   }
 
+  /** For a picture of that view. */
+  open(view = chiefView(viewChoice(this.store.state))): void {
+    this.update({ view });
+    this.show(true);
+  }
+
+  chooseView(view: ViewName): void {
+    this.update({ view });
+  }
+
   /** Ends a recording, where there is one. What was said of the last file goes with the dialog. */
   show(open: boolean): void {
     const { recording_since_ms } = this.store.state.exporting;
@@ -55,15 +67,16 @@ export class Exporting {
     else this.update({ open, ...(!open && { outcome: undefined }) });
   }
 
-  /** Of the view as it is now. */
-  async savePicture(size: Viewport, dots_per_inch?: number): Promise<void> {
+  /** Of the view as it is now; it is one of those that are open. */
+  async savePicture(view: ViewName, size: Viewport, dots_per_inch?: number): Promise<void> {
     const notes = {
       disclaimer: this.notice,
       ...(dots_per_inch !== undefined && { dots_per_inch }),
     };
-    const name = this.fileName('png');
+    const name = this.fileName('png', view);
+    const still = view === '3d' ? size : { ...size, view: viewNumber(view) };
     await this.run({ what: 'picture', frames: 1 }, async (signal) => {
-      const png = await this.stills.make(size, signal);
+      const png = await this.stills.make(still, signal);
       return { name, content: await withNotes(png, notes) };
     });
   }
@@ -155,9 +168,10 @@ export class Exporting {
     return this.store.state.capabilities?.notice ?? words().page.not_for_diagnosis;
   }
 
-  private fileName(extension: string): string {
+  private fileName(extension: string, view: ViewName = '3d'): string {
     const title = this.store.state.volume?.title ?? words().messages.picture;
-    return fileName(`cutaway ${title}`, extension);
+    const slice = view === '3d' ? '' : ` ${words().slices.names[view].toLowerCase()}`;
+    return fileName(`cutaway ${title}${slice}`, extension);
   }
 
   private update(change: Partial<ExportState>): void {

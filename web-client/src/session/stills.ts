@@ -11,6 +11,8 @@ import { words } from '../words/words.ts';
 export const STILLS_IN_FLIGHT = 2;
 
 export interface Still extends Viewport {
+  /** By its number; left out, the 3-D picture. */
+  readonly view?: number;
   /** How it differs from the session's scene. */
   readonly scene?: JsonObject;
 }

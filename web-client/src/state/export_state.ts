@@ -1,5 +1,6 @@
 // Exporting pictures and films: what is open, what is being made, and how the last one went.
 import type { CameraPath } from '../film/camera_path.ts';
+import type { ViewName } from './views.ts';
 
 export interface ExportJob {
   readonly what: 'picture' | 'film';
@@ -15,6 +16,8 @@ export type ExportOutcome =
 
 export interface ExportState {
   readonly open: boolean;
+  /** Which of the session's pictures is to be saved. */
+  readonly view: ViewName;
   readonly job: ExportJob | undefined;
   readonly outcome: ExportOutcome | undefined;
   /** When it began, on the clock of `performance.now`; nothing while none is made. */
@@ -24,6 +27,7 @@ export interface ExportState {
 
 export const NOTHING_EXPORTED: ExportState = {
   open: false,
+  view: '3d',
   job: undefined,
   outcome: undefined,
   recording_since_ms: undefined,

@@ -12,7 +12,7 @@ import {
 import type { JsonObject } from './merge_patch.ts';
 import { sameScene } from './scene_diff.ts';
 import type { ViewerState } from './viewer_state.ts';
-import type { ViewChoice, ViewName } from './views.ts';
+import { VIEW_NAMES, type ViewChoice, type ViewName } from './views.ts';
 
 /** What a slice's picture depends on: it gets a new frame when this becomes another. */
 export interface SlicePicture {
@@ -78,6 +78,10 @@ export function wantedSlice(state: ViewerState, name: SliceName): SliceProjectio
 /** The size of any of the session's pictures. */
 export const viewportOf = (state: ViewerState, view: ViewName): Viewport | undefined =>
   view === '3d' ? state.viewport : state.slice_views[view].viewport;
+
+/** Those that the server makes pictures of. */
+export const openViews = (state: ViewerState): readonly ViewName[] =>
+  VIEW_NAMES.filter((view) => viewportOf(state, view));
 
 /** The frame that any of the session's pictures shows. */
 export const shownIn = (state: ViewerState, view: ViewName): ShownFrame | undefined =>

@@ -24,6 +24,10 @@ export function loneView({ layout, main_view, maximised }: ViewChoice): ViewName
   return maximised ?? (layout === 'single' ? main_view : undefined);
 }
 
+/** The one that is alone or large, or else the volume. */
+export const chiefView = (choice: ViewChoice): ViewName =>
+  loneView(choice) ?? (choice.layout === 'focus' ? choice.main_view : '3d');
+
 /** In the order in which they are shown. */
 export function visibleViews(choice: ViewChoice): readonly ViewName[] {
   const lone = loneView(choice);

@@ -10,6 +10,7 @@ export const export_words = {
   kinds: { picture: 'Picture', film: 'Film' },
   kind: 'What to export',
 
+  picture_of: 'Picture of',
   size: 'Size',
   width: 'Width',
   height: 'Height',

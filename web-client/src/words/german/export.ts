@@ -11,6 +11,7 @@ export const export_words: Words['export'] = {
   kinds: { picture: 'Bild', film: 'Film' },
   kind: 'Was exportiert wird',
 
+  picture_of: 'Bild der Ansicht',
   size: 'Größe',
   width: 'Breite',
   height: 'Höhe',
