@@ -115,6 +115,11 @@ describe('own styles', { skip }, () => {
     await viewer.page.locator('[data-style=toon][aria-pressed=true]').waitFor();
     const title = own('Mine').getByRole('textbox', { name: 'Rename Mine' });
     await title.fill('Yours');
+    // A picture that comes draws the list anew.
+    await viewer.page.locator('cutaway-own-styles').evaluate((list) => {
+      list.requestUpdate();
+      return list.updateComplete;
+    });
     await title.press('Enter');
     await viewer.screenshot('desktop-own-style');
     await own('Yours').getByRole('button', { name: 'Delete Yours' }).click();

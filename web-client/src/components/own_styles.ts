@@ -86,7 +86,7 @@ export class OwnStyles extends SessionElement {
       <input
         aria-label=${words().own_styles.rename(title)}
         maxlength=${LONGEST_TITLE}
-        .value=${live(title)}
+        .value=${title}
         @change=${(event: Event) => this.rename(title, event.target as HTMLInputElement)}
       />
       ${this.action('save', words().own_styles.export(title), () => own_styling.exportFile(style))}
@@ -100,9 +100,11 @@ export class OwnStyles extends SessionElement {
     </button>`;
   }
 
+  /** What is typed outlives what else changes on the page; a name that is refused goes. */
   private rename(title: string, input: HTMLInputElement): void {
-    this.session.own_styling.rename(title, input.value);
-    this.requestUpdate();
+    const typed = input.value;
+    input.value = title;
+    this.session.own_styling.rename(title, typed);
   }
 
   private form(own_styles: readonly OwnStyle[]) {
