@@ -119,6 +119,26 @@ export class TopBar extends SessionElement {
           gap: 0;
         }
       }
+      /* On a phone the volume's name needs the room more than ours. */
+      @media (max-width: 480px) {
+        .brand img {
+          display: none;
+        }
+        .volume {
+          padding-left: 0;
+          border-left: 0;
+        }
+        .volume .title {
+          display: -webkit-box;
+          -webkit-box-orient: vertical;
+          -webkit-line-clamp: 2;
+          font-size: 13px;
+          white-space: normal;
+        }
+        .volume .title ~ * {
+          display: none;
+        }
+      }
     `,
   ];
 
