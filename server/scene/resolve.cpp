@@ -15,7 +15,6 @@ namespace cutaway {
 
 namespace {
 
-constexpr double kSmallestLength = 1e-9;
 constexpr double kSmallestDistance_mm = 1e-6;
 
 void check_camera(const Camera& camera) {
@@ -25,16 +24,10 @@ void check_camera(const Camera& camera) {
                  vector_json(camera.eye_mm));
   if (glm::length(camera.up) < kSmallestLength)
     refuse_scene("/camera/up", "up has no length", "a direction", vector_json(camera.up));
-  constexpr double kNearlyParallel = 1e-6;
   const glm::dvec3 across = glm::cross(glm::normalize(view), glm::normalize(camera.up));
   if (glm::length(across) < kNearlyParallel)
     refuse_scene("/camera/up", "up runs along the view", "a direction across the view",
                  vector_json(camera.up));
-}
-
-template <typename Choose>
-glm::dvec3 vector_or(const Json& object, const char* key, const Choose& choose) {
-  return object.contains(key) ? vector_from(object.at(key)) : choose();
 }
 
 Camera resolve_camera(const Json& document, const VolumeFacts& volume, Viewport viewport) {

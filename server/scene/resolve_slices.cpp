@@ -9,7 +9,6 @@ namespace cutaway {
 namespace {
 
 glm::dvec3 unit_direction(const Json& document, const char* key) {
-  constexpr double kSmallestLength = 1e-9;
   const glm::dvec3 direction = vector_from(document.at(key));
   if (glm::length(direction) >= kSmallestLength) return glm::normalize(direction);
   refuse_scene(std::string("/slices/") + key, "the direction has no length", "a direction",
@@ -17,15 +16,10 @@ glm::dvec3 unit_direction(const Json& document, const char* key) {
 }
 
 glm::dvec3 square_to(glm::dvec3 superior, glm::dvec3 anterior, const Json& received) {
-  constexpr double kNearlyParallel = 1e-6;
   const glm::dvec3 square = anterior - superior * glm::dot(anterior, superior);
   if (glm::length(square) >= kNearlyParallel) return glm::normalize(square);
   refuse_scene("/slices/anterior", "anterior runs along superior", "a direction across superior",
                received);
-}
-
-glm::dvec3 position_or(const Json& document, const char* key, glm::dvec3 chosen_mm) {
-  return document.contains(key) ? vector_from(document.at(key)) : chosen_mm;
 }
 
 Window window_from(const Json& document, const VolumeFacts& volume) {
@@ -34,7 +28,7 @@ Window window_from(const Json& document, const VolumeFacts& volume) {
 }
 
 SliceView view_from(const Json& document, glm::dvec3 chosen_centre_mm) {
-  SliceView view{.centre_mm = position_or(document, "centre_mm", chosen_centre_mm)};
+  SliceView view{.centre_mm = vector_or(document, "centre_mm", [&] { return chosen_centre_mm; })};
   if (document.contains("view_height_mm"))
     view.view_height_mm = document.at("view_height_mm").get<double>();
   return view;
@@ -45,7 +39,7 @@ SliceView view_from(const Json& document, glm::dvec3 chosen_centre_mm) {
 Slices resolve_slices(const Json& document, const VolumeFacts& volume) {
   const glm::dvec3 middle_mm = slices_centre_mm(volume);
   Slices slices;
-  slices.crosshair_mm = position_or(document, "crosshair_mm", middle_mm);
+  slices.crosshair_mm = vector_or(document, "crosshair_mm", [&] { return middle_mm; });
   slices.superior = unit_direction(document, "superior");
   slices.anterior =
       square_to(slices.superior, unit_direction(document, "anterior"), document.at("anterior"));

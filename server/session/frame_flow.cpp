@@ -37,7 +37,7 @@ FrameFlow::FrameFlow(const std::shared_ptr<Strand>& strand, const ViewEnds& ends
       alarm_(strand->make_alarm([this] { pump(); })),
       tether_(strand) {}
 
-FrameFlow::~FrameFlow() { ends_.source.release(ends_.view); }
+FrameFlow::~FrameFlow() { ends_.source.release(ends_.view.view); }
 
 void FrameFlow::show(SceneSnapshot snapshot) {
   newest_ = std::move(snapshot);
@@ -54,7 +54,7 @@ void FrameFlow::hide() {
   if (last_number_ > 0) hidden_ = last_number_;
   pacer_.give_up();
   alarm_->clear();
-  ends_.source.release(ends_.view);
+  ends_.source.release(ends_.view.view);
 }
 
 void FrameFlow::acknowledge(std::uint32_t frame) {
@@ -120,8 +120,8 @@ bool FrameFlow::ask(FrameKind kind) {
 }
 
 FrameRequest FrameFlow::request(FrameKind kind) const {
-  return {.view = ends_.view,
-          .share = ends_.share,
+  return {.view = ends_.view.view,
+          .share = ends_.view.share,
           .revision = newest_.revision,
           .scene = newest_.scene,
           .quality = kind == FrameKind::still ? quality_.still(newest_.scene->viewport)

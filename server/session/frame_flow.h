@@ -28,9 +28,8 @@ struct SceneSnapshot {
 struct ViewEnds {
   FrameSource& source;
   ClientSink& sink;
-  LinkLoad& link;           ///< the session's; outlives the flow
-  std::uint64_t view = 0;   ///< the renderer's name for it
-  std::uint64_t share = 0;  ///< and for the session
+  LinkLoad& link;  ///< the session's; outlives the flow
+  RenderView view;
   ViewKind kind = ViewKind::volume;
 };
 

@@ -32,7 +32,7 @@ Viewport viewport_of(const PreviewMessage& wish) { return {wish.width_px, wish.h
 PreviewMaker::PreviewMaker(Ends ends, Hooks hooks)
     : ends_(std::move(ends)), hooks_(std::move(hooks)), tether_(ends_.strand) {}
 
-PreviewMaker::~PreviewMaker() { ends_.source.release(ends_.view); }
+PreviewMaker::~PreviewMaker() { ends_.source.release(ends_.view.view); }
 
 void PreviewMaker::want(const PreviewMessage& wish) {
   if (waiting_.size() >= kMostWaiting) {
@@ -46,7 +46,7 @@ void PreviewMaker::want(const PreviewMessage& wish) {
 
 void PreviewMaker::make_next() {
   busy_ = !waiting_.empty();
-  if (!busy_) return ends_.source.release(ends_.view);
+  if (!busy_) return ends_.source.release(ends_.view.view);
   const PreviewMessage wish = std::move(waiting_.front());
   waiting_.pop_front();
   begin(wish);
@@ -76,8 +76,8 @@ void PreviewMaker::opened(const PreviewMessage& wish, OpenOutcome outcome) {
 void PreviewMaker::render(const PreviewMessage& wish) {
   try {
     const SceneSnapshot shown = hooks_.scene(wish, other_.get());
-    ends_.source.submit({.view = ends_.view,
-                         .share = ends_.share,
+    ends_.source.submit({.view = ends_.view.view,
+                         .share = ends_.view.share,
                          .revision = shown.revision,
                          .scene = shown.scene,
                          .quality = preview_quality()},

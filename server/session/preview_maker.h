@@ -23,8 +23,7 @@ class PreviewMaker {
     VolumeLibrary& volumes;
     ClientSink& sink;
     PreviewCache& cache;
-    std::uint64_t view = 0;
-    std::uint64_t share = 0;
+    RenderView view;
   };
   struct Hooks {
     /// What the preview shows: of the other volume where there is one, else of the session's scene

@@ -35,8 +35,7 @@ Session::Session(SessionEnds ends, const SessionSettings& settings)
       settings_(settings),
       message_rate_(settings.messages_per_second, settings.message_burst, ends_.strand->now()),
       refusal_rate_(kRefusalsPerSecond, 1.0, ends_.strand->now()),
-      stills_(ends_.strand, ends_.frames, ends_.client,
-              {ends_.still_view, ends_.live_views.front()},
+      stills_(ends_.strand, ends_.frames, ends_.client, render_view(ends_.still_view),
               [this](std::uint32_t request, const Error& error) {
                 refuse(error, {.input = {}, .request = request});
               }),
@@ -54,12 +53,16 @@ Session::Session(SessionEnds ends, const SessionSettings& settings)
     const ViewEnds of_view{.source = ends_.frames,
                            .sink = ends_.client,
                            .link = link_,
-                           .view = ends_.live_views[view],
-                           .share = ends_.live_views.front(),
+                           .view = render_view(ends_.live_views[view]),
                            .kind = static_cast<ViewKind>(view)};
     flows_[view] = std::make_unique<FrameFlow>(ends_.strand, of_view, settings,
                                                [this](const Error& error) { refuse(error, {}); });
   }
+}
+
+// The session's share goes by the name of its first view.
+RenderView Session::render_view(std::uint64_t view) const {
+  return {view, ends_.live_views.front()};
 }
 
 PreviewMaker::Ends Session::preview_ends(std::uint64_t view) const {
@@ -68,8 +71,7 @@ PreviewMaker::Ends Session::preview_ends(std::uint64_t view) const {
           .volumes = ends_.volumes,
           .sink = ends_.client,
           .cache = ends_.previews,
-          .view = view,
-          .share = ends_.live_views.front()};
+          .view = render_view(view)};
 }
 
 PreviewMaker::Hooks Session::preview_hooks() {

@@ -78,6 +78,7 @@ class Session {
   void stop_opening();
   void took_effect(SceneState::Change change, InputStamp stamp);
 
+  RenderView render_view(std::uint64_t view) const;
   PreviewMaker::Ends preview_ends(std::uint64_t view) const;
   PreviewMaker::Hooks preview_hooks();
   FrameFlow& flow(ViewKind view) { return *flows_[static_cast<std::size_t>(view)]; }

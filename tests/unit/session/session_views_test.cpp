@@ -37,6 +37,15 @@ class SessionViewsTest : public SessionFixture {
     client.frames.clear();
     client.texts.clear();
   }
+  /// Both of the axial view's credits are out then.
+  void leave_two_axial_frames_unacknowledged() {
+    for (int z = 1; z <= 2; ++z) {
+      scene({{"slices", {{"crosshair_mm", {0, 0, z}}}}});
+      frames.begin();
+      frames.finish();
+      strand->run();
+    }
+  }
   std::vector<std::uint16_t> views_sent() {
     std::set<std::uint16_t> views;
     for (const auto& frame : client.frames) views.insert(frame.header.view);
@@ -84,12 +93,7 @@ TEST_F(SessionViewsTest, AWindowIsOfAllSlices) {
 
 TEST_F(SessionViewsTest, EachViewHasCreditsOfItsOwn) {
   show_slices();
-  for (int z = 1; z <= 2; ++z) {
-    scene({{"slices", {{"crosshair_mm", {0, 0, z}}}}});
-    frames.begin();
-    frames.finish();
-    strand->run();
-  }
+  leave_two_axial_frames_unacknowledged();
   scene({{"slices", {{"crosshair_mm", {0, 0, 3}}}}});
   EXPECT_TRUE(frames.idle()) << "the axial view's two credits are out";
   scene({{"camera", {{"eye_mm", {0, -700, 50}}}}});
@@ -107,12 +111,7 @@ TEST_F(SessionViewsTest, AClosedViewGetsNoMoreFramesAndIsFreed) {
 
 TEST_F(SessionViewsTest, AClosedViewHasItsCreditsBackThoughNobodyAcknowledges) {
   show_slices();
-  for (int z = 1; z <= 2; ++z) {
-    scene({{"slices", {{"crosshair_mm", {0, 0, z}}}}});
-    frames.begin();
-    frames.finish();
-    strand->run();
-  }
+  leave_two_axial_frames_unacknowledged();
   receive({{"type", "close_view"}, {"view", 1}});
   slice_viewport(1);
   EXPECT_FALSE(frames.idle());
