@@ -141,15 +141,19 @@ describe('small rules', () => {
   });
 
   it('keep a viewport’s shape within the server’s limits', () => {
-    expect(withinLimits({ width_px: 800, height_px: 600 }, 4096, 8e6)).toEqual({
+    const limits = (viewport_side_px: number, viewport_pixels: number) => ({
+      viewport_side_px,
+      viewport_pixels,
+    });
+    expect(withinLimits({ width_px: 800, height_px: 600 }, limits(4096, 8e6))).toEqual({
       width_px: 800,
       height_px: 600,
     });
-    expect(withinLimits({ width_px: 8000, height_px: 4000 }, 4000, 1e9)).toEqual({
+    expect(withinLimits({ width_px: 8000, height_px: 4000 }, limits(4000, 1e9))).toEqual({
       width_px: 4000,
       height_px: 2000,
     });
-    expect(withinLimits({ width_px: 4000, height_px: 4000 }, 9000, 4e6)).toEqual({
+    expect(withinLimits({ width_px: 4000, height_px: 4000 }, limits(9000, 4e6))).toEqual({
       width_px: 2000,
       height_px: 2000,
     });

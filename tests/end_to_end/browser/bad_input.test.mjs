@@ -4,14 +4,13 @@ import { mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
-import { deflateRawSync } from 'node:zlib';
 import { assertAccessible } from './support/accessible.mjs';
 import { DESKTOP, openBrowser, PHONE, skip } from './support/browser.mjs';
+import { linkTo } from './support/scene_link.mjs';
 import { isStandIn, Server } from './support/server.mjs';
 import { served } from './support/suite.mjs';
 import { Viewer } from './support/viewer.mjs';
 
-const linkTo = (scene) => `#1.${deflateRawSync(JSON.stringify(scene)).toString('base64url')}`;
 const toast = (viewer, hasText) => viewer.page.locator('[data-part=toast]', { hasText });
 
 describe('bad input', { skip }, () => {

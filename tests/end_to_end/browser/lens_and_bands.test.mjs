@@ -1,9 +1,9 @@
 // The Magic Lens, the lens under the pointer and in millimetres, and bands with two ends.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { deflateRawSync } from 'node:zlib';
 import { DESKTOP, skip } from './support/browser.mjs';
 import { isStandIn } from './support/server.mjs';
+import { linkTo } from './support/scene_link.mjs';
 import { served, servedPage } from './support/suite.mjs';
 import { meanDifference, Viewer } from './support/viewer.mjs';
 
@@ -126,8 +126,7 @@ describe('a refused scene', { skip }, () => {
 
   it('is answered with its field and what was expected', async () => {
     const scene = { version: 1, volume: 'phantom:head', lens: { strength: 7 } };
-    const hash = `#1.${deflateRawSync(JSON.stringify(scene)).toString('base64url')}`;
-    const viewer = await Viewer.open(suite.browser, `${suite.server.url}${hash}`, DESKTOP);
+    const viewer = await Viewer.open(suite.browser, `${suite.server.url}${linkTo(scene)}`, DESKTOP);
     const toast = viewer.page.locator('[data-part=toast]');
     await toast.filter({ hasText: /Field: \/lens\/strength\. Expected: .*1/ }).waitFor();
     await viewer.settled();

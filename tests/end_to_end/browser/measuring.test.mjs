@@ -1,16 +1,15 @@
 // Measuring: a known distance and a known value of a known volume, and the tools by mouse, keyboard
 // and finger.
 import assert from 'node:assert/strict';
-import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
+import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
-import { deflateRawSync } from 'node:zlib';
 import { assertAccessible } from './support/accessible.mjs';
-import { DESKTOP, openBrowser, PHONE, skip } from './support/browser.mjs';
+import { DESKTOP, PHONE, skip } from './support/browser.mjs';
 import { metaImage } from './support/meta_image.mjs';
-import { isStandIn, Server } from './support/server.mjs';
-import { servedPage } from './support/suite.mjs';
+import { linkTo } from './support/scene_link.mjs';
+import { isStandIn } from './support/server.mjs';
+import { served, servedPage } from './support/suite.mjs';
 import { Viewer } from './support/viewer.mjs';
 
 const VIEW_HEIGHT_MM = 130;
@@ -62,10 +61,8 @@ async function download(viewer, button) {
 }
 
 describe('measuring a known volume', { skip: skip || (isStandIn && 'needs files') }, () => {
-  let folder, server, browser, viewer;
-
-  before(async () => {
-    folder = await mkdtemp(join(tmpdir(), 'cutaway-measuring-'));
+  let viewer;
+  const suite = served(async (folder) => {
     const image = metaImage({
       size: [88, 40, 88],
       spacing_mm: SPACING_MM,
@@ -73,19 +70,11 @@ describe('measuring a known volume', { skip: skip || (isStandIn && 'needs files'
     });
     await writeFile(join(folder, 'balls.mha'), image);
     await writeFile(join(folder, 'cut.mha'), image.subarray(0, image.length / 2));
-    server = await Server.start({ data: [folder] });
-    browser = await openBrowser();
-  });
-  after(async () => {
-    await browser?.close();
-    await server?.kill();
-    await rm(folder, { recursive: true });
   });
 
   async function open(lens) {
     const scene = sceneOf('balls.mha', lens);
-    const hash = `#1.${deflateRawSync(JSON.stringify(scene)).toString('base64url')}`;
-    viewer = await Viewer.open(browser, `${server.url}${hash}`, DESKTOP);
+    viewer = await Viewer.open(suite.browser, `${suite.server.url}${linkTo(scene)}`, DESKTOP);
     await viewer.settled();
   }
 

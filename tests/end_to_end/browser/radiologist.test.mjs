@@ -1,15 +1,14 @@
 // A radiologist's day: a series is opened, its slices are scrolled, windowed and measured, and left
 // is checked to be left, whatever the plane in which the scanner took the images.
 import assert from 'node:assert/strict';
-import { mkdtemp, rm } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, describe, it } from 'node:test';
+import { before, describe, it } from 'node:test';
 import { assertAccessible } from './support/accessible.mjs';
-import { DESKTOP, openBrowser, skip } from './support/browser.mjs';
+import { DESKTOP, skip } from './support/browser.mjs';
 import { writeDicomSeries } from './support/dicom_series.mjs';
-import { isStandIn, Server } from './support/server.mjs';
+import { isStandIn } from './support/server.mjs';
 import { Slices } from './support/slices.mjs';
+import { served } from './support/suite.mjs';
 import { Viewer } from './support/viewer.mjs';
 
 const COS_30 = Math.cos(Math.PI / 6);
@@ -74,10 +73,8 @@ const TOWARDS = [
 ];
 
 describe('a radiologist’s day', { skip: skip || (isStandIn && 'needs files') }, () => {
-  let folder, server, browser, viewer, slices;
-
-  before(async () => {
-    folder = await mkdtemp(join(tmpdir(), 'cutaway-radiologist-'));
+  let viewer, slices;
+  const suite = served(async (folder) => {
     const planes = Object.entries(ACQUISITIONS);
     for (const [number, [plane, axes]] of planes.entries()) {
       const series = { number: number + 1, title: `${plane} series`, axes, valueAt };
@@ -87,18 +84,11 @@ describe('a radiologist’s day', { skip: skip || (isStandIn && 'needs files') }
         spacing_mm: SPACING_MM,
       });
     }
-    server = await Server.start({ data: [folder] });
-    browser = await openBrowser();
-  });
-  after(async () => {
-    await browser?.close();
-    await server?.kill();
-    await rm(folder, { recursive: true });
   });
 
   /** From the list of volumes, as on the first day. */
   async function openSeries(plane) {
-    viewer = await Viewer.open(browser, server.url, DESKTOP);
+    viewer = await Viewer.open(suite.browser, suite.server.url, DESKTOP);
     await viewer.settled();
     if (!(await viewer.data('volume')).includes(plane)) {
       await viewer.openTab('Volumes');

@@ -1,15 +1,14 @@
 // Slices beside the 3-D picture: layouts, what links them, their gestures and keys, and measuring on
 // a volume of which every value is known.
 import assert from 'node:assert/strict';
-import { mkdtemp, rm, writeFile } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
+import { writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
-import { deflateRawSync } from 'node:zlib';
 import { assertAccessible } from './support/accessible.mjs';
-import { DESKTOP, openBrowser, PHONE, skip, TABLET } from './support/browser.mjs';
+import { DESKTOP, PHONE, skip, TABLET } from './support/browser.mjs';
 import { metaImage } from './support/meta_image.mjs';
-import { isStandIn, Server } from './support/server.mjs';
+import { linkTo } from './support/scene_link.mjs';
+import { isStandIn } from './support/server.mjs';
 import { Slices } from './support/slices.mjs';
 import { served, servedPage } from './support/suite.mjs';
 import { Viewer } from './support/viewer.mjs';
@@ -24,19 +23,10 @@ const valueAt = (at_mm) => {
 };
 
 describe('slices of a known volume', { skip: skip || (isStandIn && 'needs files') }, () => {
-  let folder, server, browser, viewer, slices;
-
-  before(async () => {
-    folder = await mkdtemp(join(tmpdir(), 'cutaway-slices-'));
+  let viewer, slices;
+  const suite = served(async (folder) => {
     const size = [96, 64, 48];
     await writeFile(join(folder, 'ball.mha'), metaImage({ size, spacing_mm: SPACING_MM, valueAt }));
-    server = await Server.start({ data: [folder] });
-    browser = await openBrowser();
-  });
-  after(async () => {
-    await browser?.close();
-    await server?.kill();
-    await rm(folder, { recursive: true });
   });
 
   async function open(said = {}) {
@@ -51,8 +41,7 @@ describe('slices of a known volume', { skip: skip || (isStandIn && 'needs files'
         ...said,
       },
     };
-    const hash = `#1.${deflateRawSync(JSON.stringify(scene)).toString('base64url')}`;
-    viewer = await Viewer.open(browser, `${server.url}${hash}`, DESKTOP);
+    viewer = await Viewer.open(suite.browser, `${suite.server.url}${linkTo(scene)}`, DESKTOP);
     await viewer.settled();
     slices = new Slices(viewer);
     await slices.choose('grid');

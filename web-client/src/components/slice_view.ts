@@ -7,7 +7,7 @@ import { applyKey } from '../interaction/keyboard.ts';
 import { placeWithPointer } from '../interaction/placing.ts';
 import { PointerGestures } from '../interaction/pointer_gestures.ts';
 import { sliceGestures } from '../interaction/slice_gestures.ts';
-import { observeViewport, withinLimits } from '../interaction/viewport_size.ts';
+import { isSameSize, observeViewport, withinLimits } from '../interaction/viewport_size.ts';
 import { listenToSliceWheel } from '../interaction/wheel.ts';
 import { toolInHand } from '../state/measure_state.ts';
 import { isSettled } from '../state/slice_views.ts';
@@ -138,14 +138,10 @@ export class SliceView extends SessionElement {
   }
 
   private resized(size: Viewport): void {
-    const limits = this.state.capabilities?.limits;
-    const wanted = limits
-      ? withinLimits(size, limits.viewport_side_px, limits.viewport_pixels)
-      : size;
+    const wanted = withinLimits(size, this.state.capabilities?.limits);
     this.size = wanted;
     const { viewport } = this.state.slice_views[this.slice];
-    if (viewport?.width_px !== wanted.width_px || viewport.height_px !== wanted.height_px)
-      this.session.layout.resize(this.slice, wanted);
+    if (!isSameSize(viewport, wanted)) this.session.layout.resize(this.slice, wanted);
   }
 
   private pointAt({ x, y }: { readonly x: number; readonly y: number }): Point {

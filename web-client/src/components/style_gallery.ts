@@ -10,6 +10,7 @@ import { groupOf, stylesOf } from '../state/style_groups.ts';
 import { asStyle } from '../state/own_styles.ts';
 import { matchingStyle } from '../state/style_patch.ts';
 import { swatchOf } from '../state/style_swatch.ts';
+import { card_look } from '../styles/card.ts';
 import { shared } from '../styles/shared.ts';
 import './compare_button.ts';
 import './detail_sliders.ts';
@@ -58,17 +59,8 @@ export class StyleGallery extends SessionElement {
       button {
         display: flex;
         flex-direction: column;
-        width: 100%;
         height: 100%;
-        padding: 0;
-        border: 1px solid var(--line);
-        border-radius: var(--radius);
-        background: var(--surface-raised);
-        text-align: left;
-        overflow: hidden;
-        transition:
-          background 120ms,
-          border-color 120ms;
+        ${card_look}
       }
       button:hover {
         border-color: var(--line-strong);

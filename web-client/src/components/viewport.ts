@@ -8,7 +8,7 @@ import { placeWithPointer, SLIP_CSS_PX } from '../interaction/placing.ts';
 import { picturePoint } from '../interaction/picture_point.ts';
 import { PointerGestures } from '../interaction/pointer_gestures.ts';
 import { volumeGestures } from '../interaction/volume_gestures.ts';
-import { observeViewport, withinLimits } from '../interaction/viewport_size.ts';
+import { isSameSize, observeViewport, withinLimits } from '../interaction/viewport_size.ts';
 import { listenToWheel } from '../interaction/wheel.ts';
 import { toolInHand } from '../state/measure_state.ts';
 import { viewChoice } from '../state/slice_views.ts';
@@ -110,14 +110,10 @@ export class CutawayViewport extends SessionElement {
   }
 
   private resized(size: Viewport): void {
-    const limits = this.state.capabilities?.limits;
-    const wanted = limits
-      ? withinLimits(size, limits.viewport_side_px, limits.viewport_pixels)
-      : size;
+    const wanted = withinLimits(size, this.state.capabilities?.limits);
     this.size = wanted;
     const { viewport } = this.state;
-    if (viewport?.width_px !== wanted.width_px || viewport.height_px !== wanted.height_px)
-      this.session.commands.resize(wanted);
+    if (!isSameSize(viewport, wanted)) this.session.commands.resize(wanted);
   }
 
   override render() {

@@ -1,5 +1,6 @@
 // The list of volumes: a card with a picture for each.
 import { css } from 'lit';
+import { card_look } from '../styles/card.ts';
 
 export const volume_list_styles = css`
   ul {
@@ -11,17 +12,8 @@ export const volume_list_styles = css`
     display: grid;
     grid-template-columns: 84px minmax(0, 1fr);
     gap: 0 12px;
-    width: 100%;
     min-height: 63px;
-    padding: 0;
-    border: 1px solid var(--line);
-    border-radius: var(--radius);
-    background: var(--surface-raised);
-    text-align: left;
-    overflow: hidden;
-    transition:
-      background 120ms,
-      border-color 120ms;
+    ${card_look}
   }
   .entry:hover {
     background: var(--surface-hover);

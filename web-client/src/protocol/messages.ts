@@ -4,6 +4,7 @@ export type {
   CapabilitiesMessage,
   ClientMessage,
   ErrorMessage,
+  Limits,
   LoadingMessage,
   ModuleDescription,
   ModuleRegistries,
