@@ -99,6 +99,8 @@ std::vector<ConfigKey> session_keys() {
            1, 8, [](Config & c) -> auto& { return c.session.frames_in_flight; })},
       {"session", "frame_budget_ms",
        NumberKey{1, 1000, [](Config& c, double v) { c.session.frame_budget = Milliseconds(v); }}},
+      {"session", "first_resolution_scale",
+       NumberKey{0.25, 1, [](Config& c, double v) { c.session.first_resolution_scale = v; }}},
       {"session", "rest_ms",
        NumberKey{0, 60'000, [](Config& c, double v) { c.session.rest = Milliseconds(v); }}},
       {"session", "still_jpeg_quality",

@@ -23,6 +23,8 @@ namespace {
 
 /// A still that takes about a second on two cores, and yields to what comes meanwhile.
 constexpr std::int64_t kStillRaysInSoftware = 4'000'000;
+/// The whole resolution takes some 10 times the budget of a frame there.
+constexpr double kFirstScaleInSoftware = 0.5;
 /// Frames are drawn in turns, but a picture's buffers are made at once: those of 2560 x 1600 pixels
 /// take a third of a second where the processor has to fill them.
 constexpr std::int64_t kViewportPixelsInSoftware = 4'096'000;
@@ -114,6 +116,8 @@ Serving::Serving(const Config& config)
   if (renderer.software) {
     SessionSettings& settings = session_settings_;
     settings.still_rays = std::min(settings.still_rays, kStillRaysInSoftware);
+    settings.first_resolution_scale =
+        std::min(settings.first_resolution_scale, kFirstScaleInSoftware);
     settings.viewport_pixels = std::min(settings.viewport_pixels, kViewportPixelsInSoftware);
   }
   capabilities_ =

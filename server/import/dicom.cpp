@@ -5,10 +5,12 @@
 #include <set>
 
 #include "import/data_root.h"
+#include "import/decode_memory.h"
 #include "import/dicom_pixels.h"
 #include "import/dicom_series.h"
 #include "import/formats.h"
 #include "import/refusal.h"
+#include "volume/parallel.h"
 
 namespace cutaway::reading {
 
@@ -152,10 +154,14 @@ DicomGroup group_of(const VolumeSource& source, const ReadContext& context) {
   refuse(source.files.front(), "the series changed while it was read");
 }
 
-std::map<fs::path, std::vector<std::size_t>> frames_by_file(const DicomGroup& group) {
+/// Which slices of the volume each file holds.
+std::vector<std::vector<std::size_t>> slices_by_file(const DicomGroup& group) {
   std::map<fs::path, std::vector<std::size_t>> by_file;
   for (std::size_t k = 0; k < group.frames.size(); ++k) by_file[group.frames[k].file].push_back(k);
-  return by_file;
+  std::vector<std::vector<std::size_t>> slices;
+  slices.reserve(by_file.size());
+  for (auto& [file, of_file] : by_file) slices.push_back(std::move(of_file));
+  return slices;
 }
 
 struct Decoded {
@@ -168,18 +174,22 @@ Decoded decode(const DicomGroup& group, const ReadContext& context) {
   const std::size_t slice_voxels = std::size_t(size.x) * size.y;
   Decoded decoded{make_raw_voxels(voxel_type(group), slice_voxels * group.frames.size()), {}};
   if (declares_padding(group)) decoded.padding.resize(count_of(decoded.voxels));
-  std::size_t done = 0;
-  for (const auto& [file, slices] : frames_by_file(group)) {
-    throw_if_cancelled(context.stop);
-    const std::size_t frames_in_file =
-        static_cast<std::size_t>(group.frames[slices.front()].frames_in_file);
-    const DicomPixels pixels(group.frames[slices.front()], frames_in_file);
+  const auto by_file = slices_by_file(group);
+  const auto decode_file = [&](int i) {
+    const auto& slices = by_file[static_cast<std::size_t>(i)];
+    const DicomFrame& any = group.frames[slices.front()];
+    const DicomPixels pixels(any, static_cast<std::size_t>(any.frames_in_file));
     for (const std::size_t k : slices)
       pixels.store(group.frames[k], k * slice_voxels, decoded.voxels, decoded.padding);
-    done += slices.size();
-    const auto fraction = static_cast<double>(done) / static_cast<double>(group.frames.size());
+  };
+  const auto report = [&](double fraction) {
     if (context.progress) context.progress(LoadStage::decode, fraction);
-  }
+  };
+  run_parallel({.count = static_cast<int>(by_file.size()),
+                .turn = decode_file,
+                .progress = report,
+                .threads = decode_threads(decode_bytes(group))},
+               context.stop);
   return decoded;
 }
 

@@ -53,7 +53,7 @@ void convert(const char* bytes, StoredBits bits, const DicomFrame& frame, std::s
   for (std::size_t i = 0; i < output.size(); ++i) {
     const From value = stored_value<From>(bytes + i * sizeof(From), bits.stored, bits.high_bit);
     if (frame.padding && frame.padding->contains(static_cast<double>(value)))
-      padding[first + i] = true;
+      padding[first + i] = 1;
     if constexpr (std::is_integral_v<To>) {
       output[i] = static_cast<To>(value);  // NOLINT(bugprone-signed-char-misuse): numbers, no text
     } else {

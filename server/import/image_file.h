@@ -1,4 +1,4 @@
-// TIFF and PNG pictures. The only file that includes OpenImageIO is this one's.
+// TIFF and PNG pictures, through OpenImageIO, which a module brings along (image_module.h). Any thread.
 #pragma once
 
 #include <cstddef>

@@ -1,9 +1,11 @@
 #include "import/import_worker.h"
 
+#include <malloc.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -19,8 +21,10 @@ using namespace reading;
 
 namespace {
 
-/// Dies with its parent, gains no rights, and is the first to go where memory runs out.
+/// Dies with its parent, gains no rights, and is the first to go where memory runs out. One arena for
+/// all threads: each arena of its own would reserve address space, of which there is a limit.
 void keep_harmless() {
+  mallopt(M_ARENA_MAX, 1);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   std::ofstream("/proc/self/oom_score_adj") << 1000;
@@ -39,19 +43,23 @@ void report(const char* kind, const Json& content) {
   write_all(kReportDescriptor, std::as_bytes(std::span(line)));
 }
 
-/// A hundred reports a stage are enough for any bar.
+/// As often as a bar is seen to move: each report is drawn by every page that waits.
 class ThrottledProgress {
  public:
   void operator()(LoadStage stage, double fraction) {
-    if (stage == stage_ && fraction < 1.0 && fraction < reported_ + 0.01) return;
+    const auto now = Clock::now();
+    if (stage == stage_ && fraction < 1.0 && now < reported_ + kInterval) return;
     stage_ = stage;
-    reported_ = fraction;
+    reported_ = now;
     report("progress", progress_report(stage, fraction));
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kInterval{50};
+
   LoadStage stage_ = LoadStage::read;
-  double reported_ = -1.0;
+  Clock::time_point reported_;
 };
 
 void read_for(const Json& job, const ImportLimits& limits) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "import/decode_memory.h"
 #include "import/refusal.h"
 #include "import/supervision.h"
 
@@ -18,12 +19,12 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A voxel passes through at most 32 bytes on its way: as in the file, as decoded, resampled,
-/// packed. Files are read whole; and what is decoded beside the voxels is there four times at
-/// worst, within a limit that holds whatever the child that scanned the file has said.
+/// packed. Files are read whole; and some are decoded beside the voxels, within a limit that holds
+/// whatever the child that scanned the file has said.
 std::uint64_t memory_for(const VolumeSource& source, const ImportLimits& limits) {
   const glm::ivec3 size = source.geometry.size_voxels;
   std::uint64_t bytes = kBaseMemoryBytes + std::uint64_t(size.x) * size.y * size.z * 32;
-  bytes += 4 * std::min(source.decode_bytes, limits.volume_bytes);
+  bytes += decode_memory_bytes(std::min(source.decode_bytes, limits.volume_bytes));
   for (const auto& file : source.files) {
     std::error_code failed;
     const auto file_bytes = fs::file_size(file, failed);

@@ -38,8 +38,8 @@ FrameQuality still_quality(const SessionSettings& settings, Viewport viewport) {
 
 QualityControl::QualityControl(const SessionSettings& settings)
     : settings_(settings),
-      resolution_(kResolutionSteps, settings.frame_budget),
-      compression_(kCompressionSteps, settings.frame_budget) {}
+      resolution_(kResolutionSteps, settings.frame_budget, settings.first_resolution_scale),
+      compression_(kCompressionSteps, settings.frame_budget, kCompressionSteps.front().value) {}
 
 void QualityControl::rendered(const FrameQuality& quality, Milliseconds cost) {
   if (!made_with_present_steps(quality)) return;

@@ -18,9 +18,10 @@ constexpr int kFramesToTryMost = 960;
 
 }  // namespace
 
-StepControl::StepControl(std::vector<Step> steps, Milliseconds budget)
+StepControl::StepControl(std::vector<Step> steps, Milliseconds budget, double first)
     : steps_(std::move(steps)), budget_(budget), frames_to_try_(kFramesToTry) {
   check(!steps_.empty(), "a step to choose");
+  while (!at_last() && steps_[current_].value > first) ++current_;
 }
 
 void StepControl::observe(Milliseconds cost) {

@@ -19,7 +19,8 @@ class StepControl {
     double relative_cost;  ///< of step 0's
   };
 
-  StepControl(std::vector<Step> steps, Milliseconds budget);
+  /// Begins at the best step whose value is `first` at most, or at the last.
+  StepControl(std::vector<Step> steps, Milliseconds budget, double first);
 
   double value() const { return steps_[current_].value; }
   bool at_last() const { return current_ + 1 == steps_.size(); }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -63,7 +64,10 @@ void run_parallel(const ParallelLoop& loop, const std::stop_token& stop) {
     std::vector<std::jthread> helpers;
     const int helper_count = std::min(loop.threads, loop.count) - 1;
     helpers.reserve(std::max(helper_count, 0));
-    for (int i = 0; i < helper_count; ++i) helpers.emplace_back([&run] { run.work(false); });
+    try {
+      for (int i = 0; i < helper_count; ++i) helpers.emplace_back([&run] { run.work(false); });
+    } catch (const std::system_error&) {  // no more threads to be had: those that there are do it
+    }
     run.work(true);
   }
   run.finish();

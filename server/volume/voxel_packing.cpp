@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "core/error.h"
 
@@ -76,6 +77,18 @@ PackedVoxels pack_float(std::span<const T> values, double slope, double intercep
   return packed;
 }
 
+/// std::minmax_element looks at places, one by one; values alone are compared many at a time.
+template <typename T>
+std::pair<T, T> ends_of(std::span<const T> values) {
+  T smallest = values.front();
+  T largest = values.front();
+  for (const T value : values) {
+    smallest = std::min(smallest, value);
+    largest = std::max(largest, value);
+  }
+  return {smallest, largest};
+}
+
 /// Unsigned subtraction gives the distance of any two values of T, signed or not, without overflow.
 template <typename T>
 std::uint32_t distance_from(T smallest, T value) {
@@ -108,12 +121,12 @@ PackedVoxels pack_voxels(std::span<const T> values, double slope, double interce
   require_rescale(slope, intercept);
   if (values.empty()) refuse_without_values(0);
   if constexpr (std::is_integral_v<T>) {
-    const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
+    const auto [smallest, largest] = ends_of(values);
     const bool all_finite =
-        to_finite_float(*smallest, slope, intercept) && to_finite_float(*largest, slope, intercept);
+        to_finite_float(smallest, slope, intercept) && to_finite_float(largest, slope, intercept);
     if (all_finite &&
-        distance_from(*smallest, *largest) <= std::numeric_limits<std::uint16_t>::max()) {
-      return pack_uint16(values, *smallest, *largest, slope, intercept);
+        distance_from(smallest, largest) <= std::numeric_limits<std::uint16_t>::max()) {
+      return pack_uint16(values, smallest, largest, slope, intercept);
     }
   }
   return pack_float(values, slope, intercept);

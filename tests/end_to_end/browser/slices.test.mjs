@@ -206,8 +206,7 @@ describe('the slices on a desktop', { skip }, () => {
     assert.ok(Math.hypot(panned[0] - zoomed_x - 40, panned[1] - zoomed_y - 25) < 2);
     await slices.stage('coronal').focus();
     await page().keyboard.press('r');
-    await slices.settled();
-    assert.ok(Math.abs((await slices.pixelsPerMm('coronal')) / mm - 1) < 0.01);
+    await slices.until(async () => Math.abs((await slices.pixelsPerMm('coronal')) / mm - 1) < 0.01);
   });
 
   it('have their window by key, by drag and in the panel', async () => {
@@ -269,8 +268,7 @@ describe('the slices on a desktop', { skip }, () => {
     await assertAccessible(viewer, 'oblique');
     await slices.stage('axial').focus();
     await page().keyboard.press('t');
-    await slices.settled();
-    assert.equal(await slices.letters('axial'), 'A L P R');
+    await slices.until(async () => (await slices.letters('axial')) === 'A L P R');
   });
 
   it('show the lens, which is dragged there and follows the crosshair', async () => {

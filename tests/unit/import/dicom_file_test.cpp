@@ -262,7 +262,7 @@ TEST(Dicom, StopsBetweenSlicesAndReportsOnTheWay) {
   EXPECT_TRUE(std::is_sorted(heard.begin(), heard.end()));
   EXPECT_EQ(heard.front(), (std::pair{LoadStage::read, 0.0}));
   EXPECT_EQ(heard.back(), (std::pair{LoadStage::decode, 1.0}));
-  EXPECT_GE(heard.size(), 12U);
+  EXPECT_GE(heard.size(), 9U);  // 6 files read, and as many decoded as one thread does
   std::stop_source stop;
   const auto stop_at_decoding = [&](LoadStage stage, double) {
     if (stage == LoadStage::decode) stop.request_stop();

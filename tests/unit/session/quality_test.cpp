@@ -14,7 +14,7 @@ namespace {
 constexpr Milliseconds kBudget{33.0};
 
 StepControl resolution_steps() {
-  return StepControl({{1.0, 1.0}, {0.75, 0.5625}, {0.5, 0.25}, {0.25, 0.0625}}, kBudget);
+  return StepControl({{1.0, 1.0}, {0.75, 0.5625}, {0.5, 0.25}, {0.25, 0.0625}}, kBudget, 1.0);
 }
 
 /// Frames whose cost is `fixed + full * scale^2`.
@@ -134,6 +134,24 @@ TEST_F(QualityControlTest, BeginsAtFullResolution) {
   EXPECT_EQ(quality.interactive().resolution_scale, 1.0);
   EXPECT_EQ(quality.interactive().jpeg_quality, 80);
   EXPECT_FALSE(quality.interactive().still);
+}
+
+TEST(QualityControlSettings, SayWhereTheResolutionBegins) {
+  const auto begins_at = [](double first) {
+    SessionSettings settings;
+    settings.first_resolution_scale = first;
+    return QualityControl(settings).interactive().resolution_scale;
+  };
+  EXPECT_EQ(begins_at(0.5), 0.5);
+  EXPECT_EQ(begins_at(0.6), 0.5);
+  EXPECT_EQ(begins_at(0.2), 0.25);
+}
+
+TEST_F(QualityControlTest, ABeginningAtAHalfClimbsWhereThereIsRoom) {
+  settings.first_resolution_scale = 0.5;
+  QualityControl careful{settings};
+  for (int i = 0; i < 40; ++i) careful.rendered(careful.interactive(), Milliseconds(1.0));
+  EXPECT_EQ(careful.interactive().resolution_scale, 1.0);
 }
 
 TEST_F(QualityControlTest, StillIsFullResolutionSupersampledAtQuality92WithFullChroma) {

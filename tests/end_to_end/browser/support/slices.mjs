@@ -1,5 +1,8 @@
 // The slices on the page, as a test sees and moves them.
 
+import assert from 'node:assert/strict';
+
+const ANSWER_LIMIT_MS = 20_000;
 const NAMES = ['axial', 'coronal', 'sagittal'];
 
 export class Slices {
@@ -40,6 +43,18 @@ export class Slices {
       undefined,
       { timeout: 60_000 },
     );
+  }
+
+  /**
+   * Until a condition holds of the settled slices. For what leaves a part of them to the server, as
+   * straightening does: until it has answered, they still show what the scene says.
+   */
+  async until(holds) {
+    for (const begun = performance.now(); performance.now() - begun < ANSWER_LIMIT_MS;) {
+      await this.settled();
+      if (await holds()) return;
+    }
+    assert.fail(`not so within ${ANSWER_LIMIT_MS} ms: ${holds}`);
   }
 
   /** Text of each slice's position: { axial: 'S 12.5 mm', ... }. */
