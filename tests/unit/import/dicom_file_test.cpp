@@ -23,6 +23,28 @@ TEST_P(DicomSyntax, Decodes) {
   expect_ramp(read_only_volume(folder.path()), 0.2);
 }
 
+/// Several threads share the series, its voxels and its padding.
+TEST_P(DicomSyntax, DecodesSlicesSideBySide) {
+  constexpr int kSlices = 80;
+  DicomSlice like;
+  like.size_px = {9, 7};
+  like.shorts = {{{0x0028, 0x0120}, -32000, true}};
+  auto slices = ramp_series(kSlices, {0, 0, 0}, {0, 0, 2}, like);
+  for (auto& slice : slices) slice.stored.back() = -32000;
+  TemporaryFolder folder;
+  write_series(folder.path(), slices);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    transcode(entry.path(), GetParam());
+  const Volume volume = read_only_volume(folder.path());
+  EXPECT_TRUE(has_warning(volume.description, std::to_string(kSlices) + " pixels are padding"));
+  for (int k = 0; k < kSlices; ++k) {
+    const auto& stored = slices[static_cast<std::size_t>(k)].stored;
+    EXPECT_EQ(value_at(volume, {8, 6, k}), volume.value_range.minimum) << k;
+    for (int i = 0; i < 62; ++i)
+      EXPECT_EQ(value_at(volume, {i % 9, i / 9, k}), stored[static_cast<std::size_t>(i)]) << k;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, DicomSyntax,
                          testing::Values(Syntax::implicit, Syntax::big_endian, Syntax::deflated,
                                          Syntax::rle, Syntax::jpeg_lossless, Syntax::jpeg_ls,

@@ -9,7 +9,9 @@
 #include <thread>
 
 #include "core/error.h"
+#include "import/decode_memory.h"
 #include "unit/import/isolated_test_support.h"
+#include "volume/parallel.h"
 
 namespace cutaway::test {
 namespace {
@@ -206,11 +208,23 @@ TEST(IsolatedReader, GrantsTheMemoryToDecodeAWholeFile) {
   TemporaryFolder folder;
   VolumeSource source = only_source(write_ramp_volume(folder), folder.path());
   const ImportLimits limits{.volume_bytes = 1 << 20};
-  const std::uint64_t alone = granted_kib(folder, source, limits);
+  const auto decoding_kib = [](std::uint64_t bytes) { return reading::decode_memory_bytes(bytes) >> 10; };
+  const std::uint64_t alone = granted_kib(folder, source, limits) - decoding_kib(0);
   source.decode_bytes = 512 << 10;
-  EXPECT_EQ(granted_kib(folder, source, limits), alone + 4 * 512);
+  EXPECT_EQ(granted_kib(folder, source, limits), alone + decoding_kib(512 << 10));
   source.decode_bytes = std::numeric_limits<std::uint64_t>::max();
-  EXPECT_EQ(granted_kib(folder, source, limits), alone + 4 * 1024);
+  EXPECT_EQ(granted_kib(folder, source, limits), alone + decoding_kib(1 << 20));
+}
+
+TEST(DecodeMemory, ManySmallFilesAreDecodedSideBySideAndLargeOnesAlone) {
+  constexpr std::uint64_t kSlice = 512 * 512 * 2;
+  constexpr std::uint64_t kLarge = std::uint64_t{1} << 30;
+  EXPECT_EQ(reading::decode_threads(kSlice), std::min(default_thread_count(), 8));
+  EXPECT_EQ(reading::decode_threads(kLarge), 1);
+  EXPECT_EQ(reading::decode_threads(std::numeric_limits<std::uint64_t>::max()), 1);
+  EXPECT_GE(reading::decode_memory_bytes(kLarge), 4 * kLarge);
+  EXPECT_LT(reading::decode_memory_bytes(kLarge), 5 * kLarge);
+  EXPECT_LE(reading::decode_memory_bytes(kSlice), std::uint64_t{2} << 30);
 }
 
 }  // namespace
