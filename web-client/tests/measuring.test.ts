@@ -283,6 +283,46 @@ describe('what was measured', () => {
     expect(list()).toHaveLength(3);
   });
 
+  it('is undone and redone like everything else, in the storage too', () => {
+    const { commands } = harness.session;
+    const names = () => list().map(({ name }) => name);
+    const sent = harness.sent.length;
+    measured().rename(id, 'Valve');
+    measured().remove(id);
+    commands.undo();
+    expect(names()).toEqual(['Valve']);
+    expect(harness.kept.get('cutaway.measurements')).toContain('Valve');
+    commands.undo();
+    expect(names()).toEqual(['Probe 1']);
+    commands.undo();
+    expect(list()).toEqual([]);
+    commands.redo();
+    commands.redo();
+    expect(names()).toEqual(['Valve']);
+    commands.redo();
+    expect(list()).toEqual([]);
+    expect(harness.kept.get('cutaway.measurements')).toBe('{"version":1,"volumes":[]}');
+    expect(harness.sent).toHaveLength(sent);
+  });
+
+  it('has its point back after a drag in one step, and is not chosen once it is gone', () => {
+    const { commands } = harness.session;
+    measuring().take('probe');
+    measuring().select(id);
+    harness.session.store.update({ pointer_held: true });
+    for (const x of [4, 5, 6]) {
+      measuring().movePoint(id, 0, '3d', [x, x]);
+      answer(x, x, x);
+    }
+    harness.session.store.update({ pointer_held: false });
+    expect(list()[0]?.points[0]?.position_mm).toEqual([6, 6, 6]);
+    commands.undo();
+    expect(list()[0]?.points[0]?.position_mm).toEqual([1, 2, 3]);
+    expect(harness.state.measure.selected).toBe(id);
+    commands.undo();
+    expect(harness.state.measure.selected).toBeUndefined();
+  });
+
   it('comes back to its volume although another was opened', () => {
     measured().remove(id);
     harness.say({ ...sceneMessage, revision: 2, volume: { ...volume, id: 'knee' } });

@@ -150,7 +150,7 @@ describe('the wait before a new attempt', () => {
   it('doubles up to a limit', () => {
     const backoff = new ReconnectBackoff(() => 1);
     const waits_ms = Array.from({ length: 8 }, () => backoff.nextDelayMs());
-    expect(waits_ms).toEqual([250, 500, 1000, 2000, 2000, 2000, 2000, 2000]);
+    expect(waits_ms).toEqual([250, 500, 750, 750, 750, 750, 750, 750]);
   });
 
   it('grows longer where the server is full', () => {

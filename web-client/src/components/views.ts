@@ -1,13 +1,14 @@
 // The session's pictures side by side, and what lies over all of them. The 3-D picture is always
 // there, if hidden; a slice that is not shown is no element, and the server makes none of it.
 import { css, html, type PropertyValues } from 'lit';
-import { customElement, property, state } from 'lit/decorators.js';
+import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import { repeat } from 'lit/directives/repeat.js';
 import { viewChoice } from '../state/slice_views.ts';
 import { loneView, showsSlices, viewNumber, visibleViews, type ViewName } from '../state/views.ts';
 import { SLICE_NAMES, type SliceName } from '../view/slice_geometry.ts';
 import { shared } from '../styles/shared.ts';
+import { LatePart } from './late_part.ts';
 import './loading_card.ts';
 import './measure_readout.ts';
 import './measure_toolbar.ts';
@@ -22,7 +23,7 @@ export class CutawayViews extends SessionElement {
   /** Of the views, by number. */
   @property({ attribute: false }) canvases!: readonly HTMLCanvasElement[];
 
-  @state() private slices_loaded = false;
+  private readonly slice_views = new LatePart(this, () => import('./slice_view.ts'));
 
   private had_focus = false;
 
@@ -81,7 +82,7 @@ export class CutawayViews extends SessionElement {
 
   override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    if (showsSlices(viewChoice(this.state))) void this.loadSlices();
+    if (showsSlices(viewChoice(this.state))) void this.slice_views.ask(this.session.toasts);
     this.had_focus = this.matches(':focus-within');
   }
 
@@ -93,17 +94,13 @@ export class CutawayViews extends SessionElement {
       ?.focus();
   }
 
-  private async loadSlices(): Promise<void> {
-    if (this.slices_loaded) return;
-    await import('./slice_view.ts');
-    this.slices_loaded = true;
-  }
-
   override render() {
     const choice = viewChoice(this.state);
     const lone = loneView(choice);
     const visible = visibleViews(choice);
-    const slices = SLICE_NAMES.filter((name) => this.slices_loaded && visible.includes(name));
+    const slices = SLICE_NAMES.filter(
+      (name) => this.slice_views.is_there && visible.includes(name),
+    );
     const kind = (name: ViewName): string => (name === choice.main_view ? 'large' : 'small');
     const [volume] = this.canvases;
     return html`

@@ -132,6 +132,16 @@ export class Commands {
     this.link.sendPatch(groupReset(group, capabilities, base_style));
   }
 
+  /** Before a change: undo goes back to here, or to where the gesture began. */
+  step(): void {
+    this.history.changing(this.sceneToKeep());
+  }
+
+  /** Before a change that is undone on its own. */
+  stepAtOnce(): void {
+    this.history.changingAtOnce(this.sceneToKeep());
+  }
+
   undo(): void {
     this.comparison.end();
     this.history.undo();
@@ -201,15 +211,6 @@ export class Commands {
     const { eye_mm, target_mm, up, ...lens } = motion(camera, viewport);
     this.step();
     this.link.change({ camera: { eye_mm, target_mm, up, ...lens } });
-  }
-
-  /** Before a change: undo goes back to here, or to where the gesture began. */
-  private step(): void {
-    this.history.changing(this.sceneToKeep());
-  }
-
-  private stepAtOnce(): void {
-    this.history.changingAtOnce(this.sceneToKeep());
   }
 
   private sceneToKeep(): Scene | undefined {

@@ -1,6 +1,7 @@
-// Undo and redo: the scenes before each step. A step is a gesture: all that changes while a pointer
-// is held, or without a pause.
+// Undo and redo: the scene before each step, and what was measured. A step is a gesture: all that
+// changes while a pointer is held, or without a pause.
 import type { Scene } from '../protocol/messages.ts';
+import type { MeasureState } from '../state/measure_state.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
 import { sameScene, scenePatch } from '../state/scene_diff.ts';
 import type { Store } from '../state/store.ts';
@@ -10,9 +11,20 @@ import type { SceneLink } from './scene_link.ts';
 const PAUSE_MS = 400;
 const MOST_STEPS = 100;
 
+/** All that a user makes. */
+interface Work {
+  readonly scene: Scene;
+  readonly by_volume: MeasureState['by_volume'];
+}
+
+function differs(one: Work, other: Work): boolean {
+  const [scene, other_scene] = [one.scene as JsonObject, other.scene as JsonObject];
+  return one.by_volume !== other.by_volume || !sameScene(scene, other_scene);
+}
+
 export class History {
-  private past: readonly Scene[] = [];
-  private future: readonly Scene[] = [];
+  private past: readonly Work[] = [];
+  private future: readonly Work[] = [];
   private step_is_open = false;
   private pause: ReturnType<typeof setTimeout> | undefined;
   /** Was asked for, with another volume, and is not there yet. */
@@ -32,7 +44,7 @@ export class History {
   /** Before each change that a user makes; `scene` is what it changes. */
   changing(scene: Scene | undefined = this.store.state.scene): void {
     if (!this.step_is_open && scene) {
-      this.past = [...this.past, scene].slice(-MOST_STEPS);
+      this.past = [...this.past, this.workOn(scene)].slice(-MOST_STEPS);
       this.future = [];
       this.step_is_open = true;
       this.publish();
@@ -49,10 +61,9 @@ export class History {
 
   undo(): void {
     this.closeStep();
-    const { state } = this.store;
-    const current = this.awaited ?? state.scene;
-    const target = this.past.findLast((scene) => this.differs(scene, current));
-    if (!current || !target) return;
+    const { current } = this;
+    const target = current && this.past.findLast((work) => differs(work, current));
+    if (!target) return;
     this.past = this.past.slice(0, this.past.lastIndexOf(target));
     this.future = [...this.future, current];
     this.restore(target, current);
@@ -60,9 +71,9 @@ export class History {
 
   redo(): void {
     this.closeStep();
-    const current = this.awaited ?? this.store.state.scene;
-    const target = this.future.findLast((scene) => this.differs(scene, current));
-    if (!current || !target) return;
+    const { current } = this;
+    const target = current && this.future.findLast((work) => differs(work, current));
+    if (!target) return;
     this.future = this.future.slice(0, this.future.lastIndexOf(target));
     this.past = [...this.past, current];
     this.restore(target, current);
@@ -71,22 +82,34 @@ export class History {
   /** The last scene of the past, of this volume, of which `wanted` holds. */
   last(wanted: (scene: Scene) => boolean): Scene | undefined {
     const volume = this.store.state.scene?.volume;
-    return this.past.findLast((scene) => scene.volume === volume && wanted(scene));
+    return this.past.findLast(({ scene }) => scene.volume === volume && wanted(scene))?.scene;
   }
 
-  private differs(scene: Scene, current: Scene | undefined): boolean {
-    return current !== undefined && !sameScene(scene as JsonObject, current as JsonObject);
+  private get current(): Work | undefined {
+    const scene = this.awaited ?? this.store.state.scene;
+    return scene && this.workOn(scene);
+  }
+
+  private workOn(scene: Scene): Work {
+    return { scene, by_volume: this.store.state.measure.by_volume };
+  }
+
+  private restore({ scene, by_volume }: Work, current: Work): void {
+    const { measure } = this.store.state;
+    if (by_volume !== current.by_volume) this.store.update({ measure: { ...measure, by_volume } });
+    this.restoreScene(scene, current.scene);
+    this.publish();
   }
 
   /** Another volume comes with its whole scene, or the server would choose anew what is left out. */
-  private restore(target: Scene, current: Scene): void {
+  private restoreScene(target: Scene, current: Scene): void {
     const [from, to] = [current as JsonObject, target as JsonObject];
+    if (sameScene(from, to)) return;
     if (target.volume === current.volume) this.link.sendPatch(scenePatch(from, to));
     else {
       this.awaited = target;
       this.link.replace(to);
     }
-    this.publish();
   }
 
   private followPointer(state: ViewerState, before: ViewerState): void {

@@ -1,4 +1,5 @@
-// What was measured, by volume, and what a user can do with it. It lives in the browser's storage.
+// What was measured, by volume, and what a user can do with it, each of which can be undone. It lives
+// in the browser's storage.
 import {
   freeName,
   renamed,
@@ -9,38 +10,44 @@ import {
 } from '../state/measurement_list.ts';
 import { fileName } from '../state/file_name.ts';
 import { measurementsCsv, measurementsJson } from '../state/measurement_export.ts';
-import { measurementsOf, type MeasureState } from '../state/measure_state.ts';
+import { measurementsOf, NOTHING_MEASURED, type MeasureState } from '../state/measure_state.ts';
 import type { Store } from '../state/store.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
 import { words } from '../words/words.ts';
+import type { Commands } from './commands.ts';
 import { MeasurementStore } from './measurement_store.ts';
 import type { Toasts } from './toasts.ts';
 import type { PageParts } from './viewer_session.ts';
 
 export class Measured {
   private last_id = 0;
-  private readonly kept: MeasurementStore;
+  private readonly storage: MeasurementStore;
+  /** What the storage has. */
+  private kept = NOTHING_MEASURED.by_volume;
   /** Until the storage has refused to keep them; then they live in the page alone. */
   private works = true;
 
   constructor(
     private readonly store: Store<ViewerState>,
+    private readonly commands: Commands,
     private readonly toasts: Toasts,
     private readonly page: PageParts,
   ) {
-    this.kept = new MeasurementStore(page.openStorage);
+    this.storage = new MeasurementStore(page.openStorage);
+    store.subscribe((state) => this.keep(state.measure.by_volume));
   }
 
   /** What was measured on the visit before. Says so where it cannot be read. */
   restore(): void {
-    const kept = this.kept.load();
+    const kept = this.storage.load();
     const { unreadable, unreadable_detail } = words().measure;
     if (!kept) return this.toasts.problem(unreadable, unreadable_detail);
     const lists = [...kept].map(([volume, list]): [string, MeasurementList] => [
       volume,
       list.map((one) => ({ ...one, id: this.nextId() })),
     ]);
-    this.update({ by_volume: new Map(lists) });
+    this.kept = new Map(lists);
+    this.update(this.kept);
   }
 
   /** Of the volume that is open. */
@@ -53,23 +60,21 @@ export class Measured {
   add({ kind, points }: Draft): number {
     const id = this.nextId();
     const name = freeName(words().measure.kinds[kind], this.list);
-    this.change((list) => [...list, { id, kind, points, name }]);
+    this.changeAtOnce((list) => [...list, { id, kind, points, name }]);
     return id;
   }
 
   rename(id: number, name: string): void {
-    this.change((list) => renamed(list, id, name));
+    this.changeAtOnce((list) => renamed(list, id, name));
   }
 
   remove(id: number): void {
     const name = this.list.find((one) => one.id === id)?.name ?? '';
     this.removing(words().measure.removed(name), (list) => without(list, id));
-    if (this.store.state.measure.selected === id) this.update({ selected: undefined });
   }
 
   removeAll(): void {
     this.removing(words().measure.all_removed, () => []);
-    this.update({ selected: undefined });
   }
 
   exportAs(format: 'json' | 'csv', notice: string): void {
@@ -84,8 +89,18 @@ export class Measured {
     this.page.saveFile(name, new Blob([text], { type }));
   }
 
-  /** Of the volume that is open. */
+  /** Of the volume that is open; with what follows without a pause it is one step. */
   change(change: (list: MeasurementList) => MeasurementList): void {
+    this.commands.step();
+    this.apply(change);
+  }
+
+  private changeAtOnce(change: (list: MeasurementList) => MeasurementList): void {
+    this.commands.stepAtOnce();
+    this.apply(change);
+  }
+
+  private apply(change: (list: MeasurementList) => MeasurementList): void {
     const { volume } = this.store.state;
     if (volume) this.setList(volume.id, change(this.list));
   }
@@ -95,8 +110,9 @@ export class Measured {
     const { volume } = this.store.state;
     if (!volume) return;
     const before = this.list;
-    this.change(change);
+    this.changeAtOnce(change);
     const takeBack = (): void => {
+      this.commands.stepAtOnce();
       const now = measurementsOf(this.store.state.measure, volume);
       this.setList(volume.id, withReturned(now, before));
     };
@@ -105,9 +121,20 @@ export class Measured {
 
   private setList(volume: string, list: MeasurementList): void {
     const { by_volume } = this.store.state.measure;
-    this.update({ by_volume: new Map(by_volume).set(volume, list) });
+    this.update(new Map(by_volume).set(volume, list));
+  }
+
+  /** Whoever has changed it: a tool, or a step back. */
+  private keep(by_volume: MeasureState['by_volume']): void {
+    const volumes = new Set([...this.kept.keys(), ...by_volume.keys()]);
+    const changed = [...volumes].filter((id) => this.kept.get(id) !== by_volume.get(id));
+    this.kept = by_volume;
+    for (const volume of changed) this.save(volume, by_volume.get(volume) ?? []);
+  }
+
+  private save(volume: string, list: MeasurementList): void {
     if (!this.works) return;
-    this.works = this.kept.save(volume, list);
+    this.works = this.storage.save(volume, list);
     const { not_kept, not_kept_detail } = words().measure;
     if (!this.works) this.toasts.problem(not_kept, not_kept_detail);
   }
@@ -117,7 +144,7 @@ export class Measured {
     return this.last_id;
   }
 
-  private update(change: Partial<MeasureState>): void {
-    this.store.update({ measure: { ...this.store.state.measure, ...change } });
+  private update(by_volume: MeasureState['by_volume']): void {
+    this.store.update({ measure: { ...this.store.state.measure, by_volume } });
   }
 }

@@ -1,7 +1,7 @@
 // What a user can do with the measuring tools. Points are found by the server.
 import { extended, isWhole, withPoint } from '../state/measurement_list.ts';
 import type { MeasurementKind } from '../state/measurement.ts';
-import { toolInHand, type MeasureState } from '../state/measure_state.ts';
+import { measurementsOf, toolInHand, type MeasureState } from '../state/measure_state.ts';
 import type { Store } from '../state/store.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
 import { shownIn, viewportOf } from '../state/slice_views.ts';
@@ -11,6 +11,9 @@ import { PickFollower, type Pick, type Picker } from './picker.ts';
 import { words } from '../words/words.ts';
 import type { Measured } from './measured.ts';
 import type { Toasts } from './toasts.ts';
+
+const isListed = (wanted: number, { measure, volume }: ViewerState): boolean =>
+  measurementsOf(measure, volume).some(({ id }) => id === wanted);
 
 export class Measuring {
   private readonly hover: PickFollower;
@@ -124,7 +127,7 @@ export class Measuring {
   }
 
   private changed(state: ViewerState, before: ViewerState): void {
-    const { draft, candidate } = state.measure;
+    const { draft, candidate, selected } = state.measure;
     if (state.volume?.id !== before.volume?.id) {
       this.hover.stop();
       this.drag.stop();
@@ -133,6 +136,8 @@ export class Measuring {
         candidate: undefined,
         selected: undefined,
       });
+    } else if (selected !== undefined && !isListed(selected, state)) {
+      this.update({ selected: undefined });
     } else if (candidate && this.isAnother(candidate.view, state, before)) {
       // What lies there may be something else now.
       this.point(candidate.view, candidate.position_px, candidate.by_keys);

@@ -90,7 +90,7 @@ export class ViewerSession {
     this.picker = new Picker(stream, requests, () => this.link.flush());
     this.layout = new ViewLayout(this.store, this.link, this.commands);
     this.slicing = new Slicing(this.store, this.commands, this.picker);
-    this.measured = new Measured(this.store, this.toasts, parts);
+    this.measured = new Measured(this.store, this.commands, this.toasts, parts);
     this.measuring = new Measuring(this.store, this.picker, this.toasts, this.measured);
     this.own_styling = new OwnStyling(this.store, this.commands, this.toasts, parts);
     this.stills = new Stills(stream, requests, () => this.link.flush());

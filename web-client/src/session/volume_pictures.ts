@@ -25,9 +25,12 @@ export class VolumePictures {
     this.askNext();
   }
 
-  /** A new connection: what the last one was asked for will not come. */
+  /** A new connection: what the last one was asked for will not come, and what failed there may do. */
   restart(): void {
     this.asking = undefined;
+    const pictures = [...this.store.state.volume_pictures];
+    const good = pictures.filter(([, picture]) => picture !== 'failed');
+    if (good.length < pictures.length) this.store.update({ volume_pictures: new Map(good) });
   }
 
   private askNext(): void {

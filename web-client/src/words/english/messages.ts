@@ -33,6 +33,8 @@ export const messages = {
   opening_cancelled: 'Opening was cancelled',
   unexpected: 'Something unexpected came from the server',
   nothing_to_compare: 'There is no previous style to compare with yet',
+  part_missing: 'A part of the page could not be loaded',
+  part_missing_detail: 'The server may have been renewed. Reload the page; the view is kept.',
   link_in_clipboard: 'The link to this view is in the clipboard',
   link_in_address_bar: 'The link to this view is in the address bar',
   picture: 'picture',

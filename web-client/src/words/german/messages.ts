@@ -30,6 +30,9 @@ export const messages: Words['messages'] = {
   opening_cancelled: 'Das Öffnen wurde abgebrochen',
   unexpected: 'Etwas Unerwartetes kam vom Server',
   nothing_to_compare: 'Es gibt noch keinen vorigen Stil zum Vergleichen',
+  part_missing: 'Ein Teil der Seite konnte nicht geladen werden',
+  part_missing_detail:
+    'Vielleicht wurde der Server erneuert. Bitte die Seite neu laden; die Ansicht bleibt erhalten.',
   link_in_clipboard: 'Der Link zu dieser Ansicht ist in der Zwischenablage',
   link_in_address_bar: 'Der Link zu dieser Ansicht steht in der Adresszeile',
   picture: 'Bild',
