@@ -61,12 +61,16 @@ Json loading_message(const std::string& volume, LoadEnd end) {
 
 Json queued_message(int place) { return {{"type", "queued"}, {"place", place}}; }
 
-Json scene_message(std::uint32_t revision, const Scene& scene) {
-  return {{"type", "scene"}, {"revision", revision}, {"scene", scene_document(scene)}};
+Json scene_message(std::uint32_t revision, std::uint32_t input, const Scene& scene) {
+  return {{"type", "scene"},
+          {"revision", revision},
+          {"input", input},
+          {"scene", scene_document(scene)}};
 }
 
-Json scene_message(std::uint32_t revision, const Scene& scene, const Json& volume) {
-  Json message = scene_message(revision, scene);
+Json scene_message(std::uint32_t revision, std::uint32_t input, const Scene& scene,
+                   const Json& volume) {
+  Json message = scene_message(revision, input, scene);
   message["volume"] = volume;
   return message;
 }

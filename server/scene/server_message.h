@@ -45,9 +45,11 @@ enum class LoadEnd { ready, cancelled, failed };
 Json loading_message(const std::string& volume, LoadStage stage, double fraction);
 Json loading_message(const std::string& volume, LoadEnd end);
 
-Json scene_message(std::uint32_t revision, const Scene& scene);
+/// `input`: of the newest message that the scene contains.
+Json scene_message(std::uint32_t revision, std::uint32_t input, const Scene& scene);
 /// After a volume was opened; `volume` is its summary.
-Json scene_message(std::uint32_t revision, const Scene& scene, const Json& volume);
+Json scene_message(std::uint32_t revision, std::uint32_t input, const Scene& scene,
+                   const Json& volume);
 
 enum class PickedBranch { focus, context };
 struct PickedPoint {

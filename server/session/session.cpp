@@ -169,10 +169,10 @@ void Session::tell_scene() {
   scene_told_at_ = ends_.strand->now();
   if (told_volume_ == state_.volume()) {
     return ends_.client.send_latest_text(
-        json_text(scene_message(state_.revision(), *state_.scene())));
+        json_text(scene_message(state_.revision(), stamp_.input, *state_.scene())));
   }
   told_volume_ = state_.volume();
-  tell(scene_message(state_.revision(), *state_.scene(), told_volume_->summary()));
+  tell(scene_message(state_.revision(), stamp_.input, *state_.scene(), told_volume_->summary()));
 }
 
 void Session::tell_volumes() { tell(volumes_message(ends_.volumes.listing())); }

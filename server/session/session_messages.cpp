@@ -1,6 +1,7 @@
 // What each message of a client does to its session.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "scene/styles.h"
@@ -15,6 +16,12 @@ Error no_volume() {
   return Error({.code = "no-volume",
                 .message = "no scene is shown yet",
                 .expected = "an open volume, and first a viewport of view 0 and of this one"});
+}
+
+/// Whoever waits for the 3-D picture of such a change is to hear that none will come.
+bool awaits_picture(const Json& patch) {
+  return std::ranges::any_of(patch.items(),
+                             [](const auto& field) { return field.key() != "slices"; });
 }
 
 std::optional<PickedPoint> picked_surface(const Scene& scene, const OpenVolume& volume,
@@ -65,7 +72,9 @@ void Session::change_shown(const SceneMessage& message) {
   }
   const Json shown = changed_document(state_.document(), message.scene, message.replace);
   SceneState::Change change = state_.set_document(shown);
-  change.chosen = change.chosen || opens_a_field(message.scene);
+  const bool changes_nothing = !change.pictures[std::size_t(ViewKind::volume)];
+  change.chosen = change.chosen || opens_a_field(message.scene) ||
+                  (changes_nothing && awaits_picture(message.scene));
   took_effect(change, message.stamp);
   if (awaited) pending_->document = std::move(*awaited);
 }

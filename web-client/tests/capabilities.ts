@@ -145,6 +145,7 @@ export const volume: VolumeSummary = {
 export const sceneMessage: SceneStateMessage & { volume: VolumeSummary } = {
   type: 'scene',
   revision: 1,
+  input: 0,
   volume,
   scene: {
     version: 1,

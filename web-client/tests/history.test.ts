@@ -141,6 +141,7 @@ describe('undo and redo', () => {
     harness.say({
       type: 'scene',
       revision: 2,
+      input: 0,
       scene: { ...sceneMessage.scene, lens: { ...sceneMessage.scene.lens, centre_mm: [9, 9, 9] } },
     });
     hold(false);

@@ -273,6 +273,38 @@ describe('the lens', () => {
   });
 });
 
+describe('the lens by key', () => {
+  const drags = () =>
+    harness.sent.filter((message) => message.type === 'drag_lens').map((drag) => drag.position_px);
+  const nudge = () => {
+    harness.session.commands.nudgeLens(10, 0);
+    harness.nextFrame();
+  };
+
+  beforeEach(() => {
+    harness.say(sceneMessage);
+    harness.emit({ kind: 'shown', frame: frame(harness.state.sent_input, 1) });
+  });
+
+  it('loses no step of keys that repeat faster than pictures come', () => {
+    nudge();
+    nudge();
+    harness.emit({ kind: 'shown', frame: frame(harness.state.sent_input - 1, 1) });
+    nudge();
+    const [first = 0, second = 0, third = 0] = drags().map(([x]) => x);
+    expect([second - first, third - second]).toEqual([10, 10]);
+  });
+
+  it('begins where the lens is seen once something else was done', () => {
+    nudge();
+    harness.session.commands.orbit(50, 0);
+    harness.nextFrame();
+    nudge();
+    const [first = 0, second = 1] = drags().map(([x]) => x);
+    expect(second).toBeCloseTo(first);
+  });
+});
+
 describe('a value left to the server', () => {
   it('goes out at once, after what was waiting', () => {
     harness.say(sceneMessage);
@@ -312,6 +344,22 @@ describe('a server that does not answer', () => {
       harness.emit({ kind: 'shown', frame: frame(sent_input, 2) });
     }
     expect(harness.state.stalled).toBe(false);
+  });
+
+  it('is not where it says that the input changed nothing in the picture', () => {
+    harness.session.commands.resetView();
+    harness.say({ ...sceneMessage, input: harness.state.sent_input });
+    vi.advanceTimersByTime(60_000);
+    expect(harness.state.stalled).toBe(false);
+  });
+
+  it('is where the scene that it says is yet to be seen', () => {
+    harness.session.commands.resetView();
+    const { lens, ...rest } = sceneMessage.scene;
+    const moved = { ...rest, lens: { ...lens, radius_mm: 7 } };
+    harness.say({ ...sceneMessage, revision: 2, input: harness.state.sent_input, scene: moved });
+    vi.advanceTimersByTime(10_000);
+    expect(harness.state.stalled).toBe(true);
   });
 
   it('is not while nothing was asked of it', () => {

@@ -80,8 +80,8 @@ TEST(ServerMessage, EachFollowsTheSchema) {
   expect_valid(picked_message(1, {}));
   expect_valid(picked_message(1, PickedPoint{{1, 2, 3}, -100.0, "HU", PickedBranch::context}));
   const Scene scene = resolve_scene(Json::object(), ball_facts(), {640, 480});
-  expect_valid(scene_message(4, scene, summary()));
-  expect_valid(scene_message(5, scene));
+  expect_valid(scene_message(4, 0, scene, summary()));
+  expect_valid(scene_message(5, 4294967295U, scene));
 }
 
 TEST(ServerMessage, SaysWhichPartOfTheWireWords) {

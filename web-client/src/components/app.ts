@@ -20,6 +20,7 @@ export class CutawayApp extends SessionElement {
   protected override readonly draws = [
     'link',
     'sent_input',
+    'shown_input',
     'shown',
     'loading',
     'volume',
@@ -102,10 +103,11 @@ export class CutawayApp extends SessionElement {
 
   override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    const { link, shown, loading, volume, preferences, sent_input, address_current } = this.state;
+    const { link, shown, loading, volume, preferences, sent_input, shown_input, address_current } =
+      this.state;
     this.mark('connection', link.phase);
     this.mark('frame', shown?.frame);
-    this.mark('input', shown?.input);
+    this.mark('input', shown && shown_input);
     this.mark('sent', sent_input);
     this.mark('revision', shown?.revision);
     this.mark('still', shown && String(shown.still));

@@ -23,6 +23,8 @@ const SMALLEST_LENS_MM = 1;
 export class Commands {
   /** What comes back when the lens is switched on again. */
   private lens_mode: Json = 'cutaway';
+  /** Where a key sent the lens, if nothing else was done since. */
+  private nudged_px: Point | undefined;
   private readonly history: History;
   private readonly comparison: Comparison;
 
@@ -79,14 +81,24 @@ export class Commands {
     this.link.dragLens(position_px);
   }
 
-  /** Moves the lens over the surface by a distance in the picture. */
+  /**
+   * Moves the lens over the surface by a distance in the picture. Keys repeat faster than pictures
+   * come: a nudge goes on from the one before until a picture shows that.
+   */
   nudgeLens(dx_px: number, dy_px: number): void {
+    const underway_px = this.link.awaits_picture ? this.nudged_px : undefined;
+    const from_px = underway_px ?? this.shownLensPx();
+    if (!from_px) return;
+    const to_px: Point = [from_px[0] + dx_px, from_px[1] + dy_px];
+    this.dragLens(to_px);
+    this.nudged_px = to_px;
+  }
+
+  private shownLensPx(): Point | undefined {
     const { shown_scene, viewport } = this.store.state;
     const camera = shownCamera(this.store.state);
     const centre_mm = shown_scene?.lens?.centre_mm;
-    if (!camera || !viewport || !centre_mm) return;
-    const centre_px = projectPx(camera, viewport, centre_mm);
-    if (centre_px) this.dragLens([centre_px[0] + dx_px, centre_px[1] + dy_px]);
+    return camera && viewport && centre_mm && projectPx(camera, viewport, centre_mm);
   }
 
   setLensRadius(radius_mm: number): void {
@@ -134,20 +146,24 @@ export class Commands {
 
   /** Before a change: undo goes back to here, or to where the gesture began. */
   step(): void {
+    this.nudged_px = undefined;
     this.history.changing(this.sceneToKeep());
   }
 
   /** Before a change that is undone on its own. */
   stepAtOnce(): void {
+    this.nudged_px = undefined;
     this.history.changingAtOnce(this.sceneToKeep());
   }
 
   undo(): void {
+    this.nudged_px = undefined;
     this.comparison.end();
     this.history.undo();
   }
 
   redo(): void {
+    this.nudged_px = undefined;
     this.comparison.end();
     this.history.redo();
   }

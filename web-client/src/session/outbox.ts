@@ -30,6 +30,10 @@ export class Outbox {
       void requestAnimationFrame(flush),
   ) {}
 
+  get holds_lens(): boolean {
+    return this.lens_position_px !== undefined;
+  }
+
   /** `patch` holds no nulls: those go out at once, after a flush. */
   change(patch: JsonObject): void {
     this.patch = compose(this.patch ?? {}, patch);

@@ -1,5 +1,5 @@
 // Sends changes of the scene and keeps the page's scene in step with the server's.
-import { Counter } from '../protocol/counter.ts';
+import { Counter, isAfter } from '../protocol/counter.ts';
 import type { ErrorMessage, Scene, SceneStateMessage } from '../protocol/messages.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
 import { SceneSync } from '../state/scene_sync.ts';
@@ -113,14 +113,24 @@ export class SceneLink implements OutboxSender {
   }
 
   told(message: SceneStateMessage): void {
+    this.sync.shown(message.input);
     this.sync.told(message.scene as JsonObject);
     this.publish();
-    if (this.store.state.scene)
-      this.shown_views.changedByServer(message.revision, this.store.state.scene);
+    const { scene, shown } = this.store.state;
+    if (scene) this.shown_views.changedByServer(message.revision, scene);
+    // What has changed nothing in the picture makes no frame: the one on the screen shows it.
+    if (shown && this.isNewest(shown, message.revision)) this.showsInput(message.input);
+  }
+
+  /** A gesture is under way whose picture is not there yet. */
+  get awaits_picture(): boolean {
+    const { sent_input, shown_input } = this.store.state;
+    return this.outbox.holds_lens || isAfter(sent_input, shown_input);
   }
 
   shown(frame: ShownFrame): Scene | undefined {
     this.sync.shown(frame.input);
+    this.showsInput(frame.input);
     return this.shown_views.volumeShownBy(frame);
   }
 
@@ -133,6 +143,14 @@ export class SceneLink implements OutboxSender {
     if (error.input === undefined) return;
     this.sync.refused(error.input);
     this.publish();
+  }
+
+  private isNewest(shown: ShownFrame, revision: number): boolean {
+    return !isAfter(revision, shown.revision) || this.shown_views.isVolumeShownBy(shown);
+  }
+
+  private showsInput(input: number): void {
+    if (isAfter(input, this.store.state.shown_input)) this.store.update({ shown_input: input });
   }
 
   private sendScene(scene: JsonObject, replace: boolean): number {

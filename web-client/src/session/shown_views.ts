@@ -1,15 +1,15 @@
 // What each of the session's pictures shows, by the inputs and revisions of their frames.
 import type { Scene } from '../protocol/messages.ts';
+import type { JsonObject } from '../state/merge_patch.ts';
+import { sameScene } from '../state/scene_diff.ts';
 import { ShownView } from '../state/shown_view.ts';
 import { samePicture, slicePicture, type SlicePicture } from '../state/slice_views.ts';
 import type { ShownFrame } from '../stream/worker_messages.ts';
 import { SLICE_NAMES, type SliceName } from '../view/slice_geometry.ts';
 
-/** Of scenes made by patches: what no patch touched is the same object. */
-function sameInVolume(a: Scene, b: Scene): boolean {
-  const parts = (Object.keys({ ...a, ...b }) as (keyof Scene)[]).filter((key) => key !== 'slices');
-  return parts.every((key) => a[key] === b[key]);
-}
+const inVolume = ({ slices: _, ...scene }: Scene): JsonObject => scene as JsonObject;
+
+const sameInVolume = (a: Scene, b: Scene): boolean => sameScene(inVolume(a), inVolume(b));
 
 export class ShownViews {
   private readonly volume = new ShownView<Scene>(sameInVolume);
@@ -35,6 +35,11 @@ export class ShownViews {
     this.volume.changedByServer(revision, scene);
     for (const [name, shown] of this.slices)
       shown.changedByServer(revision, slicePicture(scene, name));
+  }
+
+  /** Whether no other 3-D picture is to come after this one. */
+  isVolumeShownBy(frame: ShownFrame): boolean {
+    return this.volume.isShownBy(frame);
   }
 
   volumeShownBy(frame: ShownFrame): Scene | undefined {

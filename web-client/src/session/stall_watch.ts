@@ -6,10 +6,11 @@ import type { ViewerState } from '../state/viewer_state.ts';
 const LONG_MS = 6_000;
 
 /** A picture may show later inputs, too: those of slices, which change nothing in it. */
-const waits = ({ link, loading, volume, sent_input, shown }: ViewerState): boolean => {
-  const shows = shown !== undefined && !isAfter(sent_input, shown.input);
-  return link.phase === 'connected' && !loading && volume !== undefined && !shows;
-};
+const waits = ({ link, loading, volume, sent_input, shown_input }: ViewerState): boolean =>
+  link.phase === 'connected' &&
+  !loading &&
+  volume !== undefined &&
+  isAfter(sent_input, shown_input);
 
 /** Any picture, however old its input, shows that the stream goes on. */
 export function watchForStalls(store: Store<ViewerState>): void {

@@ -41,6 +41,12 @@ export class ShownView<Shown> {
     return last >= 0 ? this.steps[0]?.shown : undefined;
   }
 
+  /** Whether this frame shows the newest step. */
+  isShownBy(frame: FrameOrder): boolean {
+    const newest = this.steps.at(-1);
+    return newest !== undefined && reaches(frame, newest);
+  }
+
   /** Revisions start anew with each session. */
   restart(shown: Shown | undefined): void {
     this.steps = shown ? [{ shown }] : [];

@@ -69,6 +69,8 @@ export interface ViewerState {
   readonly lens_at_crosshair: boolean;
   /** Number of the last input that the 3-D picture is to show. */
   readonly sent_input: number;
+  /** Number of the last input that it does show, as far as is known. */
+  readonly shown_input: number;
   readonly shown: ShownFrame | undefined;
   /** What the picture shows; behind `scene` by its latency. */
   readonly shown_scene: Scene | undefined;
@@ -118,6 +120,7 @@ export const INITIAL_STATE: ViewerState = {
   tilting: undefined,
   lens_at_crosshair: false,
   sent_input: 0,
+  shown_input: 0,
   shown: undefined,
   shown_scene: undefined,
   stalled: false,
