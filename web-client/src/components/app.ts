@@ -77,8 +77,11 @@ export class CutawayApp extends SessionElement {
         position: fixed;
         z-index: 10;
         left: 16px;
-        bottom: 48px;
+        bottom: 72px;
         width: min(400px, calc(100vw - 32px));
+      }
+      main:has(cutaway-status-line) ~ cutaway-toast-stack {
+        bottom: 100px;
       }
       @media (max-width: 720px) {
         :host,
@@ -93,7 +96,8 @@ export class CutawayApp extends SessionElement {
         :host([data-panel='open']) aside {
           height: min(52dvh, 460px);
         }
-        cutaway-toast-stack {
+        cutaway-toast-stack,
+        main:has(cutaway-status-line) ~ cutaway-toast-stack {
           top: 60px;
           bottom: auto;
         }

@@ -3,7 +3,7 @@
 import { css, html, nothing, type PropertyValues } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { shownIn, viewChoice } from '../state/slice_views.ts';
-import { visibleViews } from '../state/views.ts';
+import { visibleViews, type ViewName } from '../state/views.ts';
 import { ViewElement } from './view_element.ts';
 import { words } from '../words/words.ts';
 
@@ -25,10 +25,11 @@ export class PictureNotices extends ViewElement {
       display: flex;
       flex-wrap: wrap;
       gap: 6px;
-      max-width: calc(50% - 40px);
+      max-width: calc(50% - 24px);
       pointer-events: none;
     }
     span {
+      box-sizing: border-box;
       padding: 3px 8px;
       border-radius: 5px;
       background: var(--on-picture-surface);
@@ -38,14 +39,14 @@ export class PictureNotices extends ViewElement {
     .notice {
       color: var(--on-picture-warning);
     }
+    /* Above the other one, it has the picture's whole width: no letter is in its way there. */
+    .notice:not(:only-child) {
+      flex: none;
+      width: max-content;
+      max-width: calc(100cqw - 20px);
+    }
     /* Where there is little room, one of the pictures says it for all. */
     @container (max-width: 340px) {
-      :host {
-        max-width: calc(100% - 20px);
-      }
-      :host([first]) {
-        bottom: 36px;
-      }
       span {
         font-size: 11px;
       }
@@ -53,27 +54,35 @@ export class PictureNotices extends ViewElement {
         display: none;
       }
     }
-    @container (max-width: 170px) {
+    @container (max-width: 220px) {
       :host {
         left: 4px;
+        max-width: calc(100% - 8px);
       }
-      span {
-        padding: 1px 4px;
+      :host([first]) {
+        bottom: 36px;
+      }
+      :host(:not([first])) {
+        display: none;
       }
     }
   `;
 
+  /** The pictures that it speaks of: the first one may be the only one with room for it. */
+  private views: readonly ViewName[] = [];
+
   override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    const [first] = visibleViews(viewChoice(this.state));
-    this.toggleAttribute('first', first === this.view);
+    const visible = visibleViews(viewChoice(this.state));
+    const is_first = visible[0] === this.view;
+    this.views = is_first ? visible : [this.view];
+    this.toggleAttribute('first', is_first);
   }
 
   override render() {
     const { capabilities } = this.state;
-    const shown = shownIn(this.state, this.view);
     const texts = words().page;
-    const lossy = shown !== undefined && !shown.lossless;
+    const lossy = this.views.some((view) => shownIn(this.state, view)?.lossless === false);
     return html`
       <span class="notice" data-part="notice"
         >${capabilities?.notice ?? texts.not_for_diagnosis}</span

@@ -68,16 +68,19 @@ export class SliceLabels extends SessionElement {
         color: var(--on-picture-on-accent);
       }
       .hover {
-        position: absolute;
-        left: 10px;
-        bottom: 38px;
-        max-width: calc(100% - 20px);
+        max-width: 100%;
         overflow: hidden;
         text-overflow: ellipsis;
       }
+      /* A finger finds it around itself, too. */
       @media (pointer: coarse) {
         .window {
-          min-height: 32px;
+          position: relative;
+        }
+        .window::after {
+          content: '';
+          position: absolute;
+          inset: -12px -4px;
         }
       }
       @container (max-width: 340px) {
@@ -111,13 +114,13 @@ export class SliceLabels extends SessionElement {
     const slices = scene?.slices;
     if (!slices || !volume) return nothing;
     return html`<div class="corner">
-        <span class="chip name ${this.slice}" data-part="slice-name">
-          <b>${words().slices.names[this.slice]}</b> ${this.position(slices)}
-        </span>
-        ${this.window(slices)}
-        <span class="chip convention" data-part="convention">${this.convention(slices)}</span>
-      </div>
-      ${this.hover()}`;
+      <span class="chip name ${this.slice}" data-part="slice-name">
+        <b>${words().slices.names[this.slice]}</b> ${this.position(slices)}
+      </span>
+      ${this.window(slices)}
+      <span class="chip convention" data-part="convention">${this.convention(slices)}</span>
+      ${this.hover()}
+    </div>`;
   }
 
   private position(slices: Slices) {
