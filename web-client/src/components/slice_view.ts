@@ -49,6 +49,7 @@ export class SliceView extends SessionElement {
     canvas_styles,
     css`
       :host {
+        background: #000;
         --right-letter-inset: 34px;
         --top-letter-inset: 36px;
       }

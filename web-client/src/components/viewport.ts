@@ -2,6 +2,7 @@
 import { css, html } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
+import { styleMap } from 'lit/directives/style-map.js';
 import { applyKey } from '../interaction/keyboard.ts';
 import { followWithLens } from '../interaction/lens_follow.ts';
 import { placeWithPointer, SLIP_CSS_PX } from '../interaction/placing.ts';
@@ -10,6 +11,7 @@ import { PointerGestures } from '../interaction/pointer_gestures.ts';
 import { volumeGestures } from '../interaction/volume_gestures.ts';
 import { isSameSize, observeViewport, withinLimits } from '../interaction/viewport_size.ts';
 import { listenToWheel } from '../interaction/wheel.ts';
+import { toHex } from '../state/colour.ts';
 import { toolInHand } from '../state/measure_state.ts';
 import { viewChoice } from '../state/slice_views.ts';
 import { showsSlices } from '../state/views.ts';
@@ -33,6 +35,7 @@ export class CutawayViewport extends SessionElement {
   protected override readonly draws = [
     'link',
     'shown',
+    'shown_scene',
     'capabilities',
     'viewport',
     'lens_follows',
@@ -116,12 +119,19 @@ export class CutawayViewport extends SessionElement {
     if (!isSameSize(viewport, wanted)) this.session.commands.resize(wanted);
   }
 
+  /** Where the picture does not fill its place, or is dimmed, what is behind it is its own ground. */
+  private ground(): { background?: string } {
+    const colour = this.state.shown_scene?.background?.colour;
+    return colour ? { background: toHex(colour) } : {};
+  }
+
   override render() {
     const { link, shown, lens_follows, measure } = this.state;
     const offline = link.phase !== 'connected' && shown !== undefined;
     return html`
       <div
         class="stage ${classMap({ offline, follows: lens_follows, measures: toolInHand(measure) !== undefined })}"
+        style=${styleMap(this.ground())}
         tabindex="0"
         role="application"
         aria-label=${words().page.picture}
