@@ -50,6 +50,12 @@ export class OrientationMarks extends ViewElement {
       top: 50%;
       transform: translateY(-50%);
     }
+    /* Beside the tools, where they reach down to it. */
+    @container (max-height: 334px) {
+      .left {
+        left: var(--left-letter-inset, 10px);
+      }
+    }
     .right {
       right: var(--right-letter-inset, 10px);
       top: 50%;

@@ -61,6 +61,12 @@ export class CutawayViews extends SessionElement {
       .views.focus .small {
         grid-column: 2;
       }
+      /* The tools lie over the first of them. */
+      .views:not(.grid, .focus) > *,
+      .views.grid cutaway-viewport,
+      .views.focus .large {
+        --left-letter-inset: 70px;
+      }
       [hidden] {
         display: none;
       }
