@@ -121,6 +121,13 @@ export class TopBar extends SessionElement {
       }
       /* On a phone the volume's name needs the room more than ours. */
       @media (max-width: 480px) {
+        :host {
+          gap: 4px;
+          padding: 0 0 0 10px;
+        }
+        .brand {
+          position: absolute;
+        }
         .brand img {
           display: none;
         }
@@ -132,8 +139,9 @@ export class TopBar extends SessionElement {
           display: -webkit-box;
           -webkit-box-orient: vertical;
           -webkit-line-clamp: 2;
-          font-size: 13px;
+          font-size: 12px;
           white-space: normal;
+          overflow-wrap: anywhere;
         }
         .volume .title ~ * {
           display: none;
