@@ -90,9 +90,10 @@ export const control_field_styles = css`
       height: 44px;
     }
     .number {
-      min-height: 40px;
+      min-height: 44px;
     }
-    wa-select::part(combobox) {
+    wa-select::part(combobox),
+    wa-option {
       min-height: 44px;
     }
     wa-slider {

@@ -52,7 +52,7 @@ export class CoordinateFields extends LitElement {
       }
       @media (pointer: coarse) {
         input {
-          min-height: 42px;
+          min-height: 44px;
         }
       }
     `,

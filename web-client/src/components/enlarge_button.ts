@@ -29,6 +29,14 @@ export class EnlargeButton extends ViewElement {
         background: #33414a;
         color: #fff;
       }
+      /* Its target reaches to the picture's corner. */
+      @media (pointer: coarse) {
+        .icon-button::after {
+          content: '';
+          position: absolute;
+          inset: -4px -4px -8px -8px;
+        }
+      }
     `,
   ];
 

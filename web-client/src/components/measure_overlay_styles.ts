@@ -56,6 +56,13 @@ export const measure_overlay_styles = css`
   .pressable {
     pointer-events: auto;
   }
+  @media (pointer: coarse) {
+    .pressable::after {
+      content: '';
+      position: absolute;
+      inset: -11px 0;
+    }
+  }
   .name {
     margin-right: 6px;
     color: #e9eef1;

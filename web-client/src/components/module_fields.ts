@@ -30,6 +30,11 @@ export class ModuleFields extends LitElement {
         font-size: 12px;
         cursor: pointer;
       }
+      @media (pointer: coarse) {
+        summary {
+          padding: 13px 0;
+        }
+      }
     `,
   ];
 
