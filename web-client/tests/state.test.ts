@@ -254,7 +254,7 @@ describe('words and numbers for people', () => {
         size_voxels: [512, 512, 275],
         spacing_mm: [0.78125, 0.78125, 1],
       }),
-    ).toBe('CT · 512×512×275 · 0.781×0.781×1 mm');
+    ).toBe('CT · 512×512×275 · 0.781×0.781×1\u00a0mm');
     expect(volumeFacts({ modality: '' })).toBe('');
   });
 
