@@ -28,7 +28,7 @@ export class HelpDialog extends SessionElement {
       dl {
         display: grid;
         grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
-        gap: 1px;
+        gap: 1px 0;
       }
       dt,
       dd {
@@ -36,6 +36,7 @@ export class HelpDialog extends SessionElement {
         border-bottom: 1px solid var(--line);
       }
       dt {
+        padding-right: 8px;
         color: var(--accent-strong);
       }
       .about {

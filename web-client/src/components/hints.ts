@@ -55,7 +55,7 @@ export class Hints extends SessionElement {
         align-items: center;
         gap: 8px;
         width: max-content;
-        max-width: min(260px, calc(100% - 32px));
+        max-width: min(300px, calc(100% - 32px));
         padding: 7px 12px;
         border-radius: 999px;
         background: var(--on-picture-accent);
@@ -63,6 +63,8 @@ export class Hints extends SessionElement {
         font-size: 13px;
         font-weight: 550;
         line-height: 1.25;
+        text-align: center;
+        text-wrap: balance;
         box-shadow: var(--shadow);
         animation: appear 300ms ease-out;
       }

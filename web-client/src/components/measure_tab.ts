@@ -93,6 +93,7 @@ export class MeasureTab extends SessionElement {
         display: inline-flex;
         align-items: center;
         gap: 5px;
+        padding-inline: 10px;
       }
       .files button:last-child {
         margin-left: auto;

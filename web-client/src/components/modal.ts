@@ -31,10 +31,14 @@ export class Modal extends LitElement {
         background: rgb(0 0 0 / 55%);
       }
       .head {
+        position: sticky;
+        z-index: 1;
+        top: 0;
         display: flex;
         align-items: center;
         justify-content: space-between;
         padding: 12px 12px 4px 20px;
+        background: var(--surface);
       }
       h2 {
         font-size: 17px;

@@ -48,6 +48,7 @@ export const own_styles_styles = css`
     color: var(--text);
     font: inherit;
     font-size: 13px;
+    text-overflow: ellipsis;
   }
   li input:hover,
   li input:focus {
