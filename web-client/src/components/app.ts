@@ -65,7 +65,8 @@ export class CutawayApp extends SessionElement {
         display: none;
       }
       cutaway-views,
-      cutaway-export-chip {
+      cutaway-export-chip,
+      cutaway-toast-stack {
         grid-area: 1 / 1;
       }
       cutaway-export-chip {
@@ -73,15 +74,12 @@ export class CutawayApp extends SessionElement {
         z-index: 1;
         margin-top: 44px;
       }
+      /* Above the picture's notices. */
       cutaway-toast-stack {
-        position: fixed;
+        place-self: end start;
         z-index: 10;
-        left: 16px;
-        bottom: 72px;
-        width: min(400px, calc(100vw - 32px));
-      }
-      main:has(cutaway-status-line) ~ cutaway-toast-stack {
-        bottom: 100px;
+        margin: 0 16px 72px;
+        width: min(400px, calc(100% - 32px));
       }
       @media (max-width: 720px) {
         :host,
@@ -96,10 +94,9 @@ export class CutawayApp extends SessionElement {
         :host([data-panel='open']) aside {
           height: min(52dvh, 460px);
         }
-        cutaway-toast-stack,
-        main:has(cutaway-status-line) ~ cutaway-toast-stack {
-          top: 60px;
-          bottom: auto;
+        cutaway-toast-stack {
+          place-self: start;
+          margin: 8px 16px 0;
         }
       }
     `,
@@ -128,11 +125,11 @@ export class CutawayApp extends SessionElement {
         <cutaway-views .session=${this.session} .canvases=${this.canvases}></cutaway-views>
         ${this.state.preferences.status_line ? html`<cutaway-status-line .session=${this.session}></cutaway-status-line>` : nothing}
         <cutaway-export-chip .session=${this.session}></cutaway-export-chip>
+        <cutaway-toast-stack .session=${this.session}></cutaway-toast-stack>
       </main>
       <aside aria-label=${words().page.volumes_and_settings}>
         <cutaway-panel .session=${this.session}></cutaway-panel>
       </aside>
-      <cutaway-toast-stack .session=${this.session}></cutaway-toast-stack>
       <cutaway-dialogs .session=${this.session}></cutaway-dialogs>
       <div class="visually-hidden" role="status">${this.announcement()}</div>
     `;
