@@ -22,7 +22,7 @@ export class DetailSliders extends SessionElement {
         display: grid;
         grid-template-columns: 1fr 1fr;
         gap: 0 14px;
-        margin: 0 2px 14px;
+        margin: 0 0 14px;
         padding: 8px 10px 6px;
         border: 1px solid var(--line);
         border-radius: var(--radius);
