@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include "import/data_root.h"
 #include "import/image_module.h"
 #include "import/refusal.h"
 
@@ -9,22 +10,28 @@ namespace cutaway::reading {
 
 namespace {
 
+struct Module {
+  const ImageFunctions* functions = nullptr;
+  std::string failure;  ///< the linker's words
+};
+
 /// Stays for as long as the process: libraries of this size do not bear being unloaded.
-const ImageFunctions* load() {
+Module load() {
   void* module = dlopen(kImageModule, RTLD_NOW | RTLD_LOCAL);
-  if (!module) return nullptr;
-  const auto functions =
-      reinterpret_cast<decltype(&cutaway_image_functions)>(dlsym(module, kImageFunctions));
-  return functions ? functions() : nullptr;
+  void* entry = module ? dlsym(module, kImageFunctions) : nullptr;
+  if (!entry) return {.functions = nullptr, .failure = dlerror()};
+  return {.functions = reinterpret_cast<decltype(&cutaway_image_functions)>(entry)(),
+          .failure = {}};
 }
 
 const ImageFunctions& module_for(const std::filesystem::path& file) {
-  static const ImageFunctions* const loaded = load();
-  if (!loaded) {
-    refuse(file, "pictures cannot be read: a part of the program is missing",
-           std::string(kImageModule) + " beside the program, and OpenImageIO");
+  static const Module module = load();
+  if (!module.functions) {
+    refuse(file, "pictures cannot be read: a part of the program cannot be loaded",
+           std::string(kImageModule) + " beside the program, and OpenImageIO",
+           printable(module.failure));
   }
-  return *loaded;
+  return *module.functions;
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ VolumeFacts facts_of(std::shared_ptr<const LoadedVolume> loaded) {
                     .bounds_maximum_mm = bounds.maximum_mm,
                     .diagonal_mm = glm::length(bounds.maximum_mm - bounds.minimum_mm),
                     .grid_centre_mm = centre_mm(volume.geometry),
+                    .middle_voxel_mm = middle_voxel_mm(volume.geometry),
                     .grid_half_axes_mm = half_axes_mm(volume.geometry),
                     .minimum_value = volume.value_range.minimum,
                     .maximum_value = volume.value_range.maximum,

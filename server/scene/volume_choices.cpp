@@ -41,6 +41,10 @@ glm::dvec3 slices_centre_mm(const VolumeFacts& volume) {
   return clamped_position(volume.grid_centre_mm);
 }
 
+glm::dvec3 chosen_crosshair_mm(const VolumeFacts& volume) {
+  return clamped_position(volume.middle_voxel_mm);
+}
+
 glm::dvec3 chosen_up(glm::dvec3 view_direction) {
   constexpr double kNearlyParallel = 1e-3;
   const double sine = glm::length(glm::cross(glm::normalize(view_direction), kSuperior));

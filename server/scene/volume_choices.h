@@ -11,6 +11,8 @@ glm::dvec3 volume_centre_mm(const VolumeFacts& volume);
 
 /// The middle of all voxels: where slices begin.
 glm::dvec3 slices_centre_mm(const VolumeFacts& volume);
+/// On a voxel's centre, so that slices along the grid begin with values as they were measured.
+glm::dvec3 chosen_crosshair_mm(const VolumeFacts& volume);
 
 /// Up to the patient's head; where the view runs along that axis, up to the front of the patient.
 glm::dvec3 chosen_up(glm::dvec3 view_direction);

@@ -17,6 +17,7 @@ struct VolumeFacts {
   glm::dvec3 bounds_maximum_mm{0.0};
   double diagonal_mm = 0.0;  ///< of those bounds
   glm::dvec3 grid_centre_mm{0.0};
+  glm::dvec3 middle_voxel_mm{0.0};
   /// Columns: from the grid's centre to the middle of a face, along the i, j and k axes.
   glm::dmat3 grid_half_axes_mm{0.0};
   double minimum_value = 0.0;

@@ -76,4 +76,9 @@ glm::dvec3 centre_mm(const VolumeGeometry& geometry) {
   return {index_to_patient(geometry) * glm::dvec4(middle, 1.0)};
 }
 
+glm::dvec3 middle_voxel_mm(const VolumeGeometry& geometry) {
+  const glm::ivec3 index = geometry.size_voxels / 2;
+  return {index_to_patient(geometry) * glm::dvec4(index, 1.0)};
+}
+
 }  // namespace cutaway

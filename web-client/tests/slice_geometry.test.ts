@@ -147,6 +147,27 @@ describe('scrolling', () => {
     expectPoint(scrolledBy(slices, 'sagittal', 1, volume), [2, 2, 3]);
   });
 
+  it('goes to a slice of the volume from between two', () => {
+    const between: Slices = { ...slices, crosshair_mm: [1, 2, 4] };
+    expectPoint(scrolledBy(between, 'axial', 1, volume), [1, 2, 6]);
+    expectPoint(scrolledBy(between, 'axial', -1, volume), [1, 2, 3]);
+    expectPoint(scrolledBy(between, 'axial', -2, volume), [1, 2, 0]);
+    const nearly: Slices = { ...slices, crosshair_mm: [1, 2, 3.0001] };
+    expectPoint(scrolledBy(nearly, 'axial', 1, volume), [1, 2, 6]);
+    expectPoint(scrolledBy(nearly, 'axial', -1, volume), [1, 2, 0]);
+  });
+
+  it('is a voxel’s size across an oblique plane, from wherever it begins', () => {
+    const tilt: Pick<Slices, 'superior' | 'anterior'> = {
+      superior: [0, -0.6, 0.8],
+      anterior: [0, -0.8, -0.6],
+    };
+    const oblique: Slices = { ...slices, ...tilt, crosshair_mm: [1, 20, 40] };
+    const moved = scrolledBy(oblique, 'axial', 1, volume);
+    const step_mm = voxelStepMm(volume, [0, -0.6, 0.8]);
+    expectPoint(moved, [1, 20 - 0.6 * step_mm, 40 + 0.8 * step_mm]);
+  });
+
   it('ends with the voxels', () => {
     expect(extentAlong(volume, [0, 0, 1])).toEqual({ minimum: 0, maximum: 177 });
     expectPoint(scrolledBy(slices, 'axial', -5, volume), [1, 2, 0]);

@@ -65,6 +65,12 @@ TEST(SliceGeometry, ThePlaneGoesThroughTheCrosshairAndItsMiddleStaysInPlace) {
   expect_near(point_at(scene, {200, 50}), {51, 2, 70});
 }
 
+TEST(SliceGeometry, BeginsOnAVoxelWithTheWholeVolumeInTheMiddle) {
+  const Scene scene = slice_scene(ViewKind::axial);
+  expect_near(scene.slices.crosshair_mm, ball_facts().middle_voxel_mm);
+  expect_near(scene.slices.axial.centre_mm, ball_facts().grid_centre_mm);
+}
+
 TEST(SliceGeometry, ShowsTheWholeVolumeUnlessItIsToldOtherwise) {
   // 200 x 160 mm in a viewport of 2:1: the height decides, with 2 % to spare.
   EXPECT_NEAR(camera_of(slice_scene(ViewKind::axial)).view_height_mm, 1.02 * 180.0, 1e-9);

@@ -30,6 +30,7 @@ inline VolumeFacts ball_facts() {
   facts.bounds_maximum_mm = kBallCentre_mm + glm::dvec3(100.0, 80.0, 90.0);
   facts.diagonal_mm = glm::length(facts.bounds_maximum_mm - facts.bounds_minimum_mm);
   facts.grid_centre_mm = kBallCentre_mm;
+  facts.middle_voxel_mm = kBallCentre_mm + glm::dvec3(0.5, 0.0, 0.5);
   facts.grid_half_axes_mm = glm::dmat3(1.0);
   for (int axis = 0; axis < 3; ++axis) facts.grid_half_axes_mm[axis][axis] = 100.0 - 10.0 * axis;
   facts.window_centre = 40.0;

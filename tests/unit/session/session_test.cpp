@@ -99,6 +99,21 @@ TEST_F(SessionTest, AMessageThatChangesNothingMakesNoFrame) {
   EXPECT_TRUE(frames.idle());
 }
 
+TEST_F(SessionTest, WhoWaitsForAPictureOfWhatChangesNothingHearsThatItIsThere) {
+  show_ball();
+  scene({{"lens", {{"radius_mm", 10.0}}}});
+  settle();
+  EXPECT_TRUE(client.of_type("scene").empty());
+  const std::uint32_t latest = scene({{"lens", {{"radius_mm", 10.0}}}});
+  strand->advance(Milliseconds(1000.0));
+  EXPECT_EQ(client.last("scene")["input"], latest);
+  EXPECT_EQ(client.last("scene")["revision"], client.frames.back().header.revision);
+  const std::size_t told = client.of_type("scene").size();
+  scene({{"slices", {{"convention", "neurological"}}}});
+  strand->advance(Milliseconds(1000.0));
+  EXPECT_EQ(client.of_type("scene").size(), told) << "no 3-D picture is awaited of that";
+}
+
 TEST_F(SessionTest, TheNextFrameShowsTheInputThatChangedNothing) {
   show_ball();
   scene(Json::object());

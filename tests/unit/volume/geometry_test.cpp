@@ -37,6 +37,14 @@ TEST_P(EveryOrientation, IndexToPatientAndBackIsTheSamePlace) {
   }
 }
 
+TEST_P(EveryOrientation, TheVoxelInTheMiddleIsHalfAVoxelFromTheCentreWhereTheirNumberIsEven) {
+  const VolumeGeometry g = geometry();
+  expect_near(middle_voxel_mm(g), apply(index_to_patient(g), {20.0, 25.0, 10.0}), 1e-9);
+  VolumeGeometry odd = g;
+  odd.size_voxels = {41, 51, 21};
+  expect_near(middle_voxel_mm(odd), centre_mm(odd), 1e-9);
+}
+
 TEST_P(EveryOrientation, OneVoxelAlongAnAxisIsItsSpacingAlongItsDirection) {
   const VolumeGeometry g = geometry();
   const glm::dmat4 there = index_to_patient(g);

@@ -4,7 +4,7 @@ import { css, html, nothing, type PropertyValues } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import '@awesome.me/webawesome/dist/components/icon/icon.js';
 import { shared } from '../styles/shared.ts';
-import { linkReason } from '../state/link_reason.ts';
+import { lossInWords } from '../state/link_reason.ts';
 import './dialogs.ts';
 import './export_chip.ts';
 import './panel.ts';
@@ -138,7 +138,8 @@ export class CutawayApp extends SessionElement {
   private announcement(): string {
     const { link, loading, volume, lens_follows, awaits_volume, comparing, stalled } = this.state;
     const texts = words().page;
-    if (link.phase === 'waiting') return texts.disconnected(linkReason(link));
+    const loss = lossInWords(link);
+    if (loss) return texts.disconnected(loss);
     if (link.phase === 'queued') return texts.queue(link.place);
     if (stalled) return texts.stalled;
     if (loading) return texts.opening(texts.stages[loading.stage]);

@@ -13,9 +13,9 @@ export class Dialogs extends SessionElement {
 
   override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    const { toasts } = this.session;
-    if (this.state.help_open) void this.help.ask(toasts);
-    if (this.state.exporting.open) void this.export.ask(toasts);
+    const { toasts, commands, exporting } = this.session;
+    if (this.state.help_open) void this.help.ask(toasts, () => commands.toggleHelp(false));
+    if (this.state.exporting.open) void this.export.ask(toasts, () => exporting.show(false));
   }
 
   override render() {

@@ -16,8 +16,8 @@ export class LatePart {
     return this.phase === 'there';
   }
 
-  /** Once is enough. Says so where it cannot be had: a browser does not ask a second time. */
-  async ask(toasts: Toasts): Promise<void> {
+  /** Where it cannot be had it says so, and `give_up` closes what it was wanted for. */
+  async ask(toasts: Toasts, give_up: () => void): Promise<void> {
     if (this.phase !== 'unknown') return;
     this.phase = 'asked for';
     try {
@@ -25,6 +25,8 @@ export class LatePart {
       this.phase = 'there';
       this.host.requestUpdate();
     } catch {
+      this.phase = 'unknown';
+      give_up();
       const { part_missing, part_missing_detail } = words().messages;
       toasts.problem(part_missing, part_missing_detail);
     }

@@ -2,7 +2,7 @@
 // style is shown for comparison.
 import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { linkReason } from '../state/link_reason.ts';
+import { lossInWords } from '../state/link_reason.ts';
 import { shared } from '../styles/shared.ts';
 import { words } from '../words/words.ts';
 import { SessionElement } from './session_element.ts';
@@ -76,7 +76,7 @@ export class PictureMessages extends SessionElement {
 
   private emptyNote() {
     const { shown, loading, link, capabilities, volumes, awaits_volume } = this.state;
-    if (shown || loading || link.phase === 'waiting' || link.phase === 'queued') return nothing;
+    if (shown || loading || lossInWords(link) || link.phase === 'queued') return nothing;
     const texts = words().page;
     const empty = capabilities !== undefined && volumes.length === 0;
     const coming = awaits_volume ? texts.looking_for_volumes : texts.preparing;
@@ -95,13 +95,17 @@ export class PictureMessages extends SessionElement {
     const texts = words().page;
     if (link.phase === 'queued')
       return html`<div class="banner"><span>${texts.queue(link.place)}</span></div>`;
-    if (link.phase === 'connected' && this.state.stalled)
-      return html`<div class="banner" data-part="stalled"><span>${texts.stalled}</span></div>`;
-    if (link.phase !== 'waiting') return nothing;
-    return html`<div class="banner">
-      <span>${texts.reconnecting(linkReason(link))}</span>
+    const loss = lossInWords(link);
+    if (loss) return this.banner('reconnecting', texts.reconnecting(loss));
+    const stalls = link.phase === 'connected' && this.state.stalled;
+    return stalls ? this.banner('stalled', texts.stalled) : nothing;
+  }
+
+  private banner(part: string, text: string) {
+    return html`<div class="banner" data-part=${part}>
+      <span>${text}</span>
       <button class="text-button" @click=${() => this.session.commands.connectNow()}>
-        ${texts.try_now}
+        ${words().page.try_now}
       </button>
     </div>`;
   }

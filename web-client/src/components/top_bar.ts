@@ -152,7 +152,7 @@ export class TopBar extends SessionElement {
 
   override render() {
     const { link, volume, preferences, shown, can_undo, can_redo } = this.state;
-    const { commands } = this.session;
+    const { commands, measuring } = this.session;
     const { bar, links } = words().page;
     const toggle = preferences.panel_open ? bar.hide_panel : bar.show_panel;
     return html`
@@ -170,7 +170,7 @@ export class TopBar extends SessionElement {
       </div>
       <nav aria-label=${bar.view}>
         <cutaway-layout-choice .session=${this.session}></cutaway-layout-choice>
-        ${this.followButton()} ${this.button('undo', bar.undo, () => commands.undo(), !can_undo)}
+        ${this.followButton()} ${this.button('undo', bar.undo, () => measuring.undo(), !can_undo)}
         ${this.button('redo', bar.redo, () => commands.redo(), !can_redo)}
         ${this.button('link', bar.copy_link, () => void this.copyLink(), !volume)}
         ${this.button('save', words().export.open, () => this.session.exporting.open(), !shown)}

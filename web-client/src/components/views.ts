@@ -88,7 +88,7 @@ export class CutawayViews extends SessionElement {
 
   override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
-    if (showsSlices(viewChoice(this.state))) void this.slice_views.ask(this.session.toasts);
+    if (showsSlices(viewChoice(this.state))) void this.loadSlices();
     this.had_focus = this.matches(':focus-within');
   }
 
@@ -98,6 +98,11 @@ export class CutawayViews extends SessionElement {
     this.renderRoot
       .querySelector<HTMLElement>('cutaway-viewport:not([hidden]), cutaway-slice-view')
       ?.focus();
+  }
+
+  private loadSlices(): Promise<void> {
+    const { toasts, layout } = this.session;
+    return this.slice_views.ask(toasts, () => layout.choose('single'));
   }
 
   override render() {

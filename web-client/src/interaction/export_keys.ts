@@ -1,12 +1,12 @@
 // Keys of the export: its dialog, and a recording of the view.
 import type { Exporting } from '../session/exporting.ts';
 import type { ViewName } from '../state/views.ts';
-import type { KeyBinding } from './key_binding.ts';
+import { isPlainKey, type KeyBinding } from './key_binding.ts';
 
 const plainKey =
   (name: string, action: (exporting: Exporting, view: ViewName) => void): KeyBinding['apply'] =>
   (event, { exporting }, { view }) => {
-    if (event.key !== name || event.ctrlKey || event.metaKey || event.altKey) return false;
+    if (!isPlainKey(event, name)) return false;
     action(exporting, view);
     return true;
   };

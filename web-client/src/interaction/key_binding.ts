@@ -28,7 +28,7 @@ export interface KeyBinding {
   readonly keys: string;
   readonly meaning: keyof Words['keys']['meanings'];
   readonly group: KeyGroup;
-  /** Wherever the focus is, but in a text field; else only while the picture has it. */
+  /** Also with Ctrl, wherever the focus is but in a text field. */
   readonly anywhere?: boolean;
   /** Whether the event is one of them; if so it has been carried out. */
   readonly apply: (event: KeyboardEvent, target: KeyTarget, place: KeyPlace) => boolean;
@@ -37,7 +37,14 @@ export interface KeyBinding {
 /** `names` as of KeyboardEvent.key, and 'Space'; without Ctrl, Alt or Command. */
 export function isPlainKey(event: KeyboardEvent, names: string): boolean {
   if (event.ctrlKey || event.metaKey || event.altKey) return false;
-  return names.split(' ').includes(event.key === ' ' ? 'Space' : event.key);
+  return names.split(' ').includes(nameOf(event));
+}
+
+/** Caps Lock makes no other key of a letter. */
+function nameOf({ key, shiftKey }: KeyboardEvent): string {
+  if (key === ' ') return 'Space';
+  if (key.length > 1) return key;
+  return shiftKey ? key.toUpperCase() : key.toLowerCase();
 }
 
 /** Right and down in the picture. */

@@ -1,4 +1,4 @@
-// Keys while the picture has the focus. The help sheet lists the same table.
+// Keys of the pictures. The help sheet lists the same table.
 import type { Commands } from '../session/commands.ts';
 import type { ViewName } from '../state/views.ts';
 import {
@@ -49,12 +49,12 @@ function key(names: string, action: (commands: Commands) => void): KeyBinding['a
 /** With Ctrl, or on a Mac with Command. */
 function chord(
   wanted: (key: string, shift: boolean) => boolean,
-  action: (commands: Commands) => void,
+  action: (target: KeyTarget) => void,
 ): KeyBinding['apply'] {
-  return (event, { commands }) => {
+  return (event, target) => {
     const { key, shiftKey, ctrlKey, metaKey, altKey } = event;
     if (!(ctrlKey || metaKey) || altKey || !wanted(key.toLowerCase(), shiftKey)) return false;
-    action(commands);
+    action(target);
     return true;
   };
 }
@@ -120,7 +120,7 @@ export const KEY_BINDINGS: readonly KeyBinding[] = [
     anywhere: true,
     apply: chord(
       (name, shift) => name === 'z' && !shift,
-      (c) => c.undo(),
+      ({ measuring }) => measuring.undo(),
     ),
   },
   {
@@ -130,7 +130,7 @@ export const KEY_BINDINGS: readonly KeyBinding[] = [
     anywhere: true,
     apply: chord(
       (name, shift) => name === 'y' || (name === 'z' && shift),
-      (c) => c.redo(),
+      ({ commands }) => commands.redo(),
     ),
   },
   { keys: ',', meaning: 'roll_left', group: 'view', apply: key(',', (c) => c.roll(-ROLL_RADIANS)) },
@@ -168,18 +168,34 @@ export function applyKey(event: KeyboardEvent, target: KeyTarget, place: KeyPlac
 const TEXT_FIELDS = /^(text|number|search|email|url|tel|password)$/;
 
 /** Where Ctrl+Z undoes what was typed. */
-function takesText(event: KeyboardEvent): boolean {
-  const [target] = event.composedPath();
+function takesText([target]: readonly EventTarget[]): boolean {
   if (target instanceof HTMLTextAreaElement) return true;
   return target instanceof HTMLInputElement && TEXT_FIELDS.test(target.type) && !target.readOnly;
 }
 
-/** For keys that work anywhere, and for a held key that is let go. Lasts as long as the page. */
+/** What has a use of its own for a letter or a digit, or has had it; and what lies over the page. */
+const KEEPS_CHARACTERS = 'input, textarea, select, dialog, [role=application], [role=dialog]';
+
+const keepsCharacters = (path: readonly EventTarget[]): boolean =>
+  path.some((target) => target instanceof Element && target.matches(KEEPS_CHARACTERS));
+
+const isCharacter = ({ key }: KeyboardEvent): boolean => key.length === 1 && key !== ' ';
+
+/**
+ * For keys that work anywhere, and letters, digits and marks for the chief picture where no other
+ * has the focus; and for a held key that is let go. Lasts as long as the page.
+ */
 export function listenToKeys(page: Window, target: KeyTarget): void {
   const anywhere = KEY_BINDINGS.filter((binding) => binding.anywhere);
   page.addEventListener('keydown', (event) => {
-    const place: KeyPlace = { view: '3d', device_pixels: page.devicePixelRatio };
-    if (!takesText(event)) applied(anywhere, event, target, place);
+    const path = event.composedPath();
+    const place: KeyPlace = {
+      view: target.layout.chief_view,
+      device_pixels: page.devicePixelRatio,
+    };
+    if (event.defaultPrevented || takesText(path)) return;
+    applied(anywhere, event, target, place);
+    if (isCharacter(event) && !keepsCharacters(path)) applyKey(event, target, place);
   });
   const released = (): void => target.commands.compare(false);
   page.addEventListener('keyup', ({ key: name }) => {

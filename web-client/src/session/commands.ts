@@ -176,6 +176,8 @@ export class Commands {
 
   /** The server chooses camera, lens and iso-values for the new volume. */
   openVolume(id: string): void {
+    if (this.store.state.link.phase !== 'connected')
+      return this.toasts.note(words().messages.not_without_connection);
     this.store.update({ awaits_volume: false });
     this.stepAtOnce();
     this.link.openVolume(id);

@@ -9,6 +9,7 @@ import type { ViewName } from '../state/views.ts';
 import type { Point } from '../view/camera.ts';
 import { PickFollower, type Pick, type Picker } from './picker.ts';
 import { words } from '../words/words.ts';
+import type { Commands } from './commands.ts';
 import type { Measured } from './measured.ts';
 import type { Toasts } from './toasts.ts';
 
@@ -24,6 +25,7 @@ export class Measuring {
     private readonly picker: Picker,
     private readonly toasts: Toasts,
     private readonly measured: Measured,
+    private readonly commands: Commands,
   ) {
     this.hover = new PickFollower(picker);
     this.drag = new PickFollower(picker);
@@ -55,6 +57,12 @@ export class Measuring {
     const { draft } = this.measure;
     if (draft) this.update({ draft: { ...draft, points: draft.points.slice(0, -1) } });
     return draft !== undefined;
+  }
+
+  /** Takes back a point of what is not whole yet, else the last step. */
+  undo(): void {
+    if (this.measure.draft?.points.length) this.takeBackPoint();
+    else this.commands.undo();
   }
 
   /** The pointer, or the cross that arrow keys move, is there. */

@@ -2,7 +2,7 @@
 import type { Store } from '../state/store.ts';
 import { CLOSED_VIEW, viewChoice, type SliceView } from '../state/slice_views.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
-import { enlarged, nextLayout, type Layout, type ViewName } from '../state/views.ts';
+import { chiefView, enlarged, nextLayout, type Layout, type ViewName } from '../state/views.ts';
 import type { ShownFrame } from '../stream/worker_messages.ts';
 import type { Viewport } from '../view/camera.ts';
 import { SLICE_NAMES, type SliceName } from '../view/slice_geometry.ts';
@@ -15,6 +15,11 @@ export class ViewLayout {
     private readonly link: SceneLink,
     private readonly commands: Commands,
   ) {}
+
+  /** Of the pictures on the page. */
+  get chief_view(): ViewName {
+    return chiefView(viewChoice(this.store.state));
+  }
 
   /** One alone is the volume. */
   choose(layout: Layout): void {

@@ -91,7 +91,13 @@ export class ViewerSession {
     this.layout = new ViewLayout(this.store, this.link, this.commands);
     this.slicing = new Slicing(this.store, this.commands, this.picker);
     this.measured = new Measured(this.store, this.commands, this.toasts, parts);
-    this.measuring = new Measuring(this.store, this.picker, this.toasts, this.measured);
+    this.measuring = new Measuring(
+      this.store,
+      this.picker,
+      this.toasts,
+      this.measured,
+      this.commands,
+    );
     this.own_styling = new OwnStyling(this.store, this.commands, this.toasts, parts);
     this.stills = new Stills(stream, requests, () => this.link.flush());
     this.exporting = new Exporting(this.store, this.stills, this.toasts, parts.saveFile);

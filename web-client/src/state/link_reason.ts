@@ -2,8 +2,12 @@
 import type { LinkState } from '../stream/worker_messages.ts';
 import { words } from '../words/words.ts';
 
-type Waiting = Extract<LinkState, { phase: 'waiting' }>;
-
-/** What the server itself said, where nothing more is known than that the connection was lost. */
-export const linkReason = ({ reason, said }: Waiting): string =>
-  (reason === 'lost' && said) || words().page.link_reasons[reason];
+/**
+ * What the server itself said, where nothing more is known than that the connection was lost. The
+ * same from one attempt to the next; nothing while there is a connection, or the first is made.
+ */
+export function lossInWords(link: LinkState): string | undefined {
+  if (link.phase !== 'waiting' && link.phase !== 'connecting') return undefined;
+  const { reason, said } = link;
+  return reason && ((reason === 'lost' && said) || words().page.link_reasons[reason]);
+}

@@ -24,7 +24,7 @@ class StreamWorker implements FrameListener {
   }
 
   connectNow(): void {
-    this.link.connect();
+    this.link.connectNow();
   }
 
   send(message: ClientMessage): void {

@@ -16,17 +16,18 @@ export interface ShownFrame extends FrameHeader {
 }
 
 export type LinkState =
-  | { readonly phase: 'connecting' }
+  /** Why there is no connection yet; nothing at the first attempt. */
+  | ({ readonly phase: 'connecting' } & Partial<LinkLoss>)
   | { readonly phase: 'connected' }
   /** The server is full; `place` 1 is the next to be let in. */
   | { readonly phase: 'queued'; readonly place: number }
-  | {
-      readonly phase: 'waiting';
-      readonly retry_in_ms: number;
-      readonly reason: LinkReason;
-      /** The server's own words; often none. */
-      readonly said: string;
-    };
+  | ({ readonly phase: 'waiting'; readonly retry_in_ms: number } & LinkLoss);
+
+export interface LinkLoss {
+  readonly reason: LinkReason;
+  /** The server's own words; often none. */
+  readonly said: string;
+}
 
 export type LinkReason = 'lost' | 'no_answer' | 'too_large' | 'full';
 

@@ -73,6 +73,9 @@ function halfExtentsMm({ size_voxels, spacing_mm, axes }: Grid, direction: Vecto
   return { edges_mm: reach(0), centres_mm: reach(1) };
 }
 
+/** Cosine of an angle that leaves a slice by less than a voxel in a thousand. */
+const ALONG_AXIS = 1 - 5e-7;
+
 /** Where the voxels' centres begin and end along a normal: mm from the patient's origin. */
 export function extentAlong(grid: Grid, normal: Vector3): { minimum: number; maximum: number } {
   const { size_voxels, spacing_mm, origin_mm, axes } = grid;
@@ -84,6 +87,10 @@ export function extentAlong(grid: Grid, normal: Vector3): { minimum: number; max
   const { centres_mm } = halfExtentsMm(grid, normal);
   return { minimum: middle - centres_mm, maximum: middle + centres_mm };
 }
+
+/** Whether planes across this unit normal are the grid's own slices. */
+export const runsAlongAxis = ({ axes }: Grid, normal: Vector3): boolean =>
+  axes.some((axis) => Math.abs(dot(axis, normal)) > ALONG_AXIS);
 
 /** From one slice to the next along a unit normal: the spacing, where an axis runs along it, mm. */
 export function voxelStepMm({ axes, spacing_mm }: Grid, normal: Vector3): number {

@@ -4,6 +4,7 @@ import type { VolumeSummary } from '../protocol/messages.ts';
 import type { Point } from './camera.ts';
 import {
   extentAlong,
+  runsAlongAxis,
   sliceFrame,
   sliceNormal,
   voxelStepMm,
@@ -15,6 +16,8 @@ import { add, cross, dot, rotateAbout, scale, subtract, type Vector3 } from './v
 
 const NEAREST_MM = 1;
 const FARTHEST_MM = 20_000;
+/** Of the way to the next: that near a slice it is that one. */
+const ON_SLICE = 1e-3;
 
 const clamped = (value: number, minimum: number, maximum: number): number =>
   Math.min(maximum, Math.max(minimum, value));
@@ -34,7 +37,10 @@ export function scrolledTo(
   return add(crosshair_mm, scale(normal, by_mm));
 }
 
-/** The crosshair so many slices further. */
+/**
+ * The crosshair so many slices further: from one of the volume's own to the next, wherever between
+ * two it was, so that what is shown is what was measured; on an oblique plane by a voxel's size.
+ */
 export function scrolledBy(
   slices: Slices,
   name: SliceName,
@@ -44,8 +50,14 @@ export function scrolledBy(
   const { crosshair_mm } = slices;
   if (!crosshair_mm) return undefined;
   const normal = sliceNormal(slices, name);
-  const offset_mm = dot(crosshair_mm, normal) + steps * voxelStepMm(volume, normal);
-  return scrolledTo(slices, name, offset_mm, volume);
+  const step_mm = voxelStepMm(volume, normal);
+  const offset_mm = dot(crosshair_mm, normal);
+  if (!runsAlongAxis(volume, normal))
+    return scrolledTo(slices, name, offset_mm + steps * step_mm, volume);
+  const { minimum } = extentAlong(volume, normal);
+  const slice = (offset_mm - minimum) / step_mm;
+  const from = steps > 0 ? Math.floor(slice + ON_SLICE) : Math.ceil(slice - ON_SLICE);
+  return scrolledTo(slices, name, minimum + (from + steps) * step_mm, volume);
 }
 
 export interface SlicePart {

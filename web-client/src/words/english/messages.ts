@@ -33,6 +33,7 @@ export const messages = {
   opening_cancelled: 'Opening was cancelled',
   unexpected: 'Something unexpected came from the server',
   nothing_to_compare: 'There is no previous style to compare with yet',
+  not_without_connection: 'Another volume can be opened once there is a connection again',
   part_missing: 'A part of the page could not be loaded',
   part_missing_detail: 'The server may have been renewed. Reload the page; the view is kept.',
   link_in_clipboard: 'The link to this view is in the clipboard',

@@ -30,6 +30,8 @@ export const messages: Words['messages'] = {
   opening_cancelled: 'Das Öffnen wurde abgebrochen',
   unexpected: 'Etwas Unerwartetes kam vom Server',
   nothing_to_compare: 'Es gibt noch keinen vorigen Stil zum Vergleichen',
+  not_without_connection:
+    'Ein anderes Volumen kann geöffnet werden, sobald wieder eine Verbindung besteht',
   part_missing: 'Ein Teil der Seite konnte nicht geladen werden',
   part_missing_detail:
     'Vielleicht wurde der Server erneuert. Bitte die Seite neu laden; die Ansicht bleibt erhalten.',
