@@ -22,6 +22,8 @@ describe('a lost connection', { skip }, () => {
     await viewer.app('[data-connection=waiting]').waitFor();
     await viewer.page.mouse.up();
     await viewer.page.getByText(/^Reconnecting:/).waitFor();
+    // It grows dim: a screenshot in the middle of that may miss it.
+    await viewer.page.waitForFunction(() => document.getAnimations().length === 0);
     assert.ok((await viewer.coverage()) > 0.02, 'the last picture is gone');
     await viewer.screenshot('desktop-disconnected');
 
