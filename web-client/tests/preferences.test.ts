@@ -21,6 +21,7 @@ const CHOSEN: Preferences = {
   layout: 'focus',
   main_view: 'axial',
   convention: 'neurological',
+  picture_labels: false,
 };
 
 function storage(text: string | null = null) {

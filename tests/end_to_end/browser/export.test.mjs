@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { assertAccessible } from './support/accessible.mjs';
 import { DESKTOP, PHONE, skip } from './support/browser.mjs';
-import { download, pictureFacts, videoFacts, zipEntries } from './support/files.mjs';
+import { differences, download, pictureFacts, videoFacts, zipEntries } from './support/files.mjs';
 import { Slices } from './support/slices.mjs';
 import { servedPage } from './support/suite.mjs';
 
@@ -23,8 +23,9 @@ describe('the export', { skip }, () => {
   }
 
   async function setNumber(name, value) {
-    await viewer.number(name).fill(String(value));
-    await viewer.number(name).press('Enter');
+    const field = dialog().getByRole('spinbutton', { name });
+    await field.fill(String(value));
+    await field.press('Enter');
   }
 
   async function setSize(width, height) {
@@ -100,6 +101,32 @@ describe('the export', { skip }, () => {
     assert.equal(await viewer.number('Width').inputValue(), '300');
     const made = Number(await viewer.number('Height').inputValue());
     assert.ok(Math.abs(made - (300 * view.height) / view.width) <= 1.5, `${made} px high`);
+  });
+
+  it('draws the labels at the edges of a slice, and leaves the rest as the server made it', async () => {
+    const slices = new Slices(viewer);
+    await slices.choose('focus');
+    await viewer.openTab('View');
+    await viewer.choose('Slices: Convention', 'Neurological');
+    await slices.settled();
+    await slices.stage('axial').focus();
+    await viewer.page.keyboard.press('e');
+    await setSize(900, 700);
+    const save = () => download(viewer, () => button('Save the picture').click());
+    const labelled = await save();
+    await viewer.keep('export-slice-labelled.png', labelled.bytes);
+    await outcome().waitFor();
+    await viewer.toggle('Labels in the picture');
+    const bare = await save();
+    const { edges, middle } = await differences(viewer, labelled.bytes, bare.bytes);
+    assert.equal(middle, 0, 'the middle is the server’s, pixel for pixel');
+    assert.ok(edges > 500, `${edges} pixels of labels`);
+    for (const { bytes } of [labelled, bare])
+      assert.match(bytes.toString('utf8', 0, 400), /Disclaimer\0+Not for diagnostic use/);
+    await viewer.choose('Picture of', '3-D');
+    await viewer.toggle('Labels in the picture');
+    const volume = await save();
+    await viewer.keep('export-volume-labelled.png', volume.bytes);
   });
 
   it('makes a WebM with every frame of a turntable', async () => {

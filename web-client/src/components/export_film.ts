@@ -18,6 +18,7 @@ import { shared } from '../styles/shared.ts';
 import type { Viewport } from '../view/camera.ts';
 import { words } from '../words/words.ts';
 import './control_field.ts';
+import './export_labels.ts';
 import './export_size.ts';
 import { SessionElement } from './session_element.ts';
 
@@ -105,7 +106,7 @@ export class ExportFilm extends SessionElement {
       ></cutaway-export-size>
       <div class="pairs">${this.field(speedControl(settings))} ${this.formats()}</div>
       ${this.missing()}
-      <p class="quiet small">${words().export.film_note(capabilities.notice)}</p>
+      <cutaway-export-labels .session=${this.session} what="film"></cutaway-export-labels>
       <button class="text-button primary" ?disabled=${!ready || !this.format} @click=${this.save}>
         ${words().export.save_film}${ready ? ` · ${filmFacts(settings, path_ms)}` : ''}
       </button>`;

@@ -9,6 +9,7 @@ import { export_styles } from '../styles/export.ts';
 import { shared } from '../styles/shared.ts';
 import { words } from '../words/words.ts';
 import './control_field.ts';
+import './export_labels.ts';
 import './export_size.ts';
 import { SessionElement } from './session_element.ts';
 
@@ -43,7 +44,7 @@ export class ExportPicture extends SessionElement {
         .limit_px=${limit_px}
         .chosen=${this.chosen}
       ></cutaway-export-size>
-      <p class="quiet small">${words().export.picture_note(capabilities.notice)}</p>
+      <cutaway-export-labels .session=${this.session} what="picture"></cutaway-export-labels>
       <button class="text-button primary" @click=${save}>${words().export.save_picture}</button>`;
   }
 

@@ -1,5 +1,7 @@
 // The kinds of file that a film can be, and which of them this browser can write.
 import type { Viewport } from '../view/camera.ts';
+import type { FilmFrame } from './film.ts';
+import type { Labelling } from './labelled_pictures.ts';
 import { withNotes } from './png_notes.ts';
 import type { VideoCodec } from './video_file.ts';
 
@@ -16,8 +18,10 @@ export type FormatSupport =
 export interface FilmFileSettings {
   readonly size: Viewport;
   readonly frames_per_second: number;
-  /** Is seen in a video, and lies beside numbered pictures, whose pixels stay the server's. */
+  /** Is seen in every video, and lies beside numbered pictures. */
   readonly notice: string;
+  /** Left out, numbered pictures stay the server's, and a video has the notice alone. */
+  readonly labelling?: Labelling;
 }
 
 /** Browsers hide their encoders from pages that came over an open connection. */
@@ -44,20 +48,36 @@ export async function formatSupport(
   );
 }
 
-/** `frames` are PNG. Ends early, and frees what it holds, where they fail. */
+/** Ends early, and frees what it holds, where the frames fail. */
 export async function filmFile(
-  frames: AsyncIterable<Blob>,
+  frames: AsyncIterable<FilmFrame>,
   { format, codec }: { readonly format: FilmFormat; readonly codec?: VideoCodec },
   settings: FilmFileSettings,
 ): Promise<Blob> {
   if (format !== 'zip' && codec) {
-    const { videoFile } = await import('./video_file.ts');
-    return videoFile(frames, format, codec, settings);
+    const { size, notice, labelling, frames_per_second } = settings;
+    const [{ videoFile }, { FrameSheet }] = await Promise.all([
+      import('./video_file.ts'),
+      import('./labelled_pictures.ts'),
+    ]);
+    const sheet = new FrameSheet(size, notice, labelling);
+    return videoFile(frames, format, codec, sheet, frames_per_second);
   }
   const { zipFile } = await import('./zip_file.ts');
-  return zipFile(noted(frames, settings.notice), settings);
+  return zipFile(numbered(frames, settings), settings);
 }
 
-async function* noted(frames: AsyncIterable<Blob>, disclaimer: string): AsyncGenerator<Blob> {
-  for await (const frame of frames) yield await withNotes(frame, { disclaimer });
+async function* numbered(
+  frames: AsyncIterable<FilmFrame>,
+  { labelling, notice: disclaimer }: FilmFileSettings,
+): AsyncGenerator<Blob> {
+  const label = labelling ? await labeller(labelling) : ({ png }: FilmFrame) => png;
+  for await (const frame of frames) yield await withNotes(await label(frame), { disclaimer });
+}
+
+/** What draws the labels comes when a picture is to have some. */
+export async function labeller(labelling: Labelling): Promise<(frame: FilmFrame) => Promise<Blob>> {
+  const { PngLabeller } = await import('./labelled_pictures.ts');
+  const one = new PngLabeller(labelling);
+  return (frame) => one.label(frame);
 }

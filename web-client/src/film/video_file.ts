@@ -10,7 +10,8 @@ import {
   WebMOutputFormat,
 } from 'mediabunny';
 import type { Viewport } from '../view/camera.ts';
-import type { FilmFileSettings } from './film_file.ts';
+import type { FilmFrame } from './film.ts';
+import type { FrameSheet } from './labelled_pictures.ts';
 
 const QUALITY = new Quality('high');
 
@@ -34,14 +35,14 @@ export async function bestCodec(
   return undefined;
 }
 
-/** Holds the whole file in memory until it is done. */
+/** Each frame as `sheet` draws it. Holds the whole file in memory until it is done. */
 export async function videoFile(
-  frames: AsyncIterable<Blob>,
+  frames: AsyncIterable<FilmFrame>,
   container: VideoContainer,
   codec: VideoCodec,
-  { size, frames_per_second, notice }: FilmFileSettings,
+  sheet: FrameSheet,
+  frames_per_second: number,
 ): Promise<Blob> {
-  const sheet = new FilmSheet(size, notice);
   const target = new BufferTarget();
   const format = container === 'mp4' ? new Mp4OutputFormat() : new WebMOutputFormat();
   const output = new Output({ format, target });
@@ -61,47 +62,4 @@ export async function videoFile(
     throw error;
   }
   return new Blob(target.buffer ? [target.buffer] : [], { type: `video/${container}` });
-}
-
-/** Of the picture's height, with a least size that can be read. */
-const NOTICE_SHARE = 1 / 44;
-const SMALLEST_NOTICE_PX = 11;
-
-/** What a frame is drawn on, with the notice in its lower right corner. */
-class FilmSheet {
-  readonly canvas: OffscreenCanvas;
-  private readonly context: OffscreenCanvasRenderingContext2D;
-
-  constructor(
-    private readonly size: Viewport,
-    private readonly notice: string,
-  ) {
-    this.canvas = new OffscreenCanvas(size.width_px, size.height_px);
-    const context = this.canvas.getContext('2d', { alpha: false });
-    if (!context) throw new Error('this browser offers no 2-D drawing');
-    this.context = context;
-  }
-
-  async draw(frame: Blob): Promise<void> {
-    const picture = await createImageBitmap(frame);
-    this.context.drawImage(picture, 0, 0, this.size.width_px, this.size.height_px);
-    picture.close();
-    this.drawNotice();
-  }
-
-  /** Light with a dark rim, so that it can be read on any picture. */
-  private drawNotice(): void {
-    const { context, size, notice } = this;
-    const letter_px = Math.max(SMALLEST_NOTICE_PX, Math.round(size.height_px * NOTICE_SHARE));
-    const place = [size.width_px - letter_px, size.height_px - letter_px] as const;
-    context.font = `500 ${letter_px}px system-ui, sans-serif`;
-    context.textAlign = 'right';
-    context.textBaseline = 'alphabetic';
-    context.lineJoin = 'round';
-    context.lineWidth = letter_px / 5;
-    context.strokeStyle = 'rgb(0 0 0 / 55%)';
-    context.strokeText(notice, ...place);
-    context.fillStyle = 'rgb(255 255 255 / 85%)';
-    context.fillText(notice, ...place);
-  }
 }

@@ -28,6 +28,8 @@ export interface Preferences {
   /** The view that is alone, or large. */
   readonly main_view: ViewName;
   readonly convention: Convention;
+  /** Exported pictures have their labels drawn on them. */
+  readonly picture_labels: boolean;
 }
 
 export const DEFAULT_PREFERENCES: Preferences = {
@@ -39,6 +41,7 @@ export const DEFAULT_PREFERENCES: Preferences = {
   layout: 'single',
   main_view: '3d',
   convention: 'radiological',
+  picture_labels: true,
 };
 
 /** Goes up when a field's meaning changes; a new field needs none, it has its default. */
@@ -78,6 +81,7 @@ export function preferencesFrom(text: string | null, defaults: Preferences): Rea
     layout: oneOf(LAYOUTS, stored['layout'], defaults.layout),
     main_view: oneOf(VIEW_NAMES, stored['main_view'], defaults.main_view),
     convention: oneOf(CONVENTIONS, stored['convention'], defaults.convention),
+    picture_labels: flag(stored['picture_labels'], defaults.picture_labels),
   };
   return { preferences };
 }

@@ -1,11 +1,13 @@
 // Pictures and films as files. One is made at a time, and it can be given up; the session's own
 // scene stays the user's meanwhile.
 import { pathFilm } from '../film/camera_path.ts';
-import type { Film } from '../film/film.ts';
-import { filmFile, type FormatSupport } from '../film/film_file.ts';
+import type { Film, FilmFrame } from '../film/film.ts';
+import { filmFile, labeller, type FormatSupport } from '../film/film_file.ts';
+import type { Labelling } from '../film/labelled_pictures.ts';
 import { pipelined } from '../film/pipeline.ts';
 import { withNotes } from '../film/png_notes.ts';
 import { turntableFilm, type Turntable } from '../film/turntable.ts';
+import type { Scene } from '../protocol/messages.ts';
 import type { ExportJob, ExportState } from '../state/export_state.ts';
 import { fileName } from '../state/file_name.ts';
 import { viewCamera } from '../state/scene_parts.ts';
@@ -75,9 +77,12 @@ export class Exporting {
     };
     const name = this.fileName('png', view);
     const still = view === '3d' ? size : { ...size, view: viewNumber(view) };
+    const labelling = this.labelling(view, size);
+    const scene = this.store.state.scene ?? {};
     await this.run({ what: 'picture', frames: 1 }, async (signal) => {
       const png = await this.stills.make(still, signal);
-      return { name, content: await withNotes(png, notes) };
+      const picture = labelling ? await (await labeller(labelling))({ png, scene }) : png;
+      return { name, content: await withNotes(picture, notes) };
     });
   }
 
@@ -87,7 +92,13 @@ export class Exporting {
     if (!film || 'missing' in format) return;
     const name = this.fileName(format.format);
     const { frames, frames_per_second } = film;
-    const settings = { size, frames_per_second, notice: this.notice };
+    const labelling = this.labelling('3d', size);
+    const settings = {
+      size,
+      frames_per_second,
+      notice: this.notice,
+      ...(labelling && { labelling }),
+    };
     await this.run({ what: 'film', frames }, async (signal) => {
       const pictures = this.pictures(film, size, signal);
       return { name, content: await filmFile(pictures, format, settings) };
@@ -109,14 +120,15 @@ export class Exporting {
     { frames, sceneOf }: Film,
     size: Viewport,
     signal: AbortSignal,
-  ): AsyncGenerator<Blob> {
+  ): AsyncGenerator<FilmFrame> {
     const make = (index: number): Promise<Blob> =>
       this.stills.make({ ...size, scene: sceneOf(index) }, signal);
     let frames_done = 0;
-    for await (const picture of pipelined(frames, STILLS_IN_FLIGHT, make)) {
+    for await (const png of pipelined(frames, STILLS_IN_FLIGHT, make)) {
+      const scene = sceneOf(frames_done) as Scene;
       frames_done += 1;
       this.progress(frames_done);
-      yield picture;
+      yield { png, scene };
     }
   }
 
@@ -162,6 +174,16 @@ export class Exporting {
       error instanceof ExportError ? error : { title: words().export.failed, detail: unexpected };
     this.update({ outcome: { kind: 'failed', title, detail } });
     if (!this.store.state.exporting.open) this.toasts.problem(title, detail);
+  }
+
+  /** Nothing where the user wants the pictures bare. */
+  private labelling(view: ViewName, size: Viewport): Labelling | undefined {
+    const { volume, preferences } = this.store.state;
+    if (!volume || !preferences.picture_labels) return undefined;
+    const subject = { volume, view, size, notice: this.notice };
+    const { labels_left_out, labels_left_out_detail } = words().export;
+    const refused = (): void => this.toasts.note(labels_left_out, labels_left_out_detail);
+    return { subject, refused };
   }
 
   private get notice(): string {

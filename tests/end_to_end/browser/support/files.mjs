@@ -33,6 +33,37 @@ export function pictureFacts({ page }, bytes) {
   }, bytes.toString('base64'));
 }
 
+/**
+ * Of two pictures of one size: how many pixels differ near the edges, and how many in the middle,
+ * which begins a sixth of the way in from each edge.
+ */
+export function differences({ page }, one, other) {
+  const compare = async (texts) => {
+    const pictures = texts.map(async (base64) => {
+      const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([data], { type: 'image/png' }));
+      const { width, height } = bitmap;
+      const context = new OffscreenCanvas(width, height).getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      return { width, height, pixels: context.getImageData(0, 0, width, height).data };
+    });
+    const [a, b] = await Promise.all(pictures);
+    const { width, height } = a;
+    const isInside = (at, side) => at >= side / 6 && at < (side * 5) / 6;
+    const found = { edges: 0, middle: 0 };
+    for (let at = 0; at < a.pixels.length; at += 4) {
+      if ([0, 1, 2, 3].every((part) => a.pixels[at + part] === b.pixels[at + part])) continue;
+      const [x, y] = [(at / 4) % width, Math.floor(at / 4 / width)];
+      found[isInside(x, width) && isInside(y, height) ? 'middle' : 'edges'] += 1;
+    }
+    return found;
+  };
+  return page.evaluate(
+    compare,
+    [one, other].map((bytes) => bytes.toString('base64')),
+  );
+}
+
 /** Of a video: its codec, size, number of frames and length. */
 export async function videoFacts(bytes) {
   const { ALL_FORMATS, BufferSource, Input } = clientRequire('mediabunny');

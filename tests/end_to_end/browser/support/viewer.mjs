@@ -1,6 +1,6 @@
 // The page as a test sees it: waits for its state, never for time.
 import assert from 'node:assert/strict';
-import { mkdir } from 'node:fs/promises';
+import { mkdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 
 const LIMIT_MS = 60_000;
@@ -186,6 +186,13 @@ export class Viewer {
       if (corner.some((part, index) => Math.abs(data[at + index] - part) > 24)) covered += 1;
     }
     return covered / (width * height);
+  }
+
+  /** A file that the page made, to be looked at beside the screenshots. */
+  async keep(name, bytes) {
+    if (!screenshotFolder) return;
+    await mkdir(screenshotFolder, { recursive: true });
+    await writeFile(join(screenshotFolder, name), bytes);
   }
 
   async screenshot(name) {

@@ -29,7 +29,16 @@ export const export_words = {
   },
   preset: (name: string, size: string) => `${name} · ${size}`,
   pixels: (width: number, height: number) => `${width} × ${height}`,
+  labels: 'Labels in the picture',
+  labels_hint:
+    'The patient’s directions, a scale bar, the volume’s name, what a slice shows, and the notice.',
+  at_target_depth: (length: string) => `${length} at mid-depth`,
+  labels_left_out: 'Saved without labels',
+  labels_left_out_detail:
+    'This browser cannot draw on a picture of this size. A smaller one can have them.',
   picture_note: (notice: string) =>
+    `Lossless PNG. “${notice}” is written on the picture and in the file.`,
+  bare_picture_note: (notice: string) =>
     `Lossless PNG, with no marks on it. “${notice}” is written in the file, not on the picture.`,
   save_picture: 'Save the picture',
 
@@ -55,7 +64,8 @@ export const export_words = {
   format_missing: (format: string, reason: string) => `No ${format}: ${reason}.`,
   film_facts: (frames: number, seconds: number) =>
     `${plural(frames, { one: '# frame', other: '# frames' })}, ${number(seconds, 1)} s`,
-  film_note: (notice: string) =>
+  film_note: (notice: string) => `“${notice}” is written into each frame.`,
+  bare_film_note: (notice: string) =>
     `“${notice}” is written small into each frame; numbered pictures stay as the server made them and have it in the file.`,
   save_film: 'Make the film',
 

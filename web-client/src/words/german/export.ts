@@ -30,7 +30,15 @@ export const export_words: Words['export'] = {
   },
   preset: (name, size) => `${name} · ${size}`,
   pixels: (width, height) => `${width} × ${height}`,
-  picture_note: (notice) =>
+  labels: 'Beschriftung im Bild',
+  labels_hint:
+    'Die Richtungen des Patienten, ein Maßstab, der Name des Volumens, was eine Schicht zeigt, und der Hinweis.',
+  at_target_depth: (length) => `${length} in mittlerer Tiefe`,
+  labels_left_out: 'Ohne Beschriftung gespeichert',
+  labels_left_out_detail:
+    'Dieser Browser kann in ein Bild dieser Größe nicht zeichnen. Ein kleineres kann sie haben.',
+  picture_note: (notice) => `Verlustfreies PNG. „${notice}“ steht im Bild und in der Datei.`,
+  bare_picture_note: (notice) =>
     `Verlustfreies PNG, ohne Zeichen darauf. „${notice}“ steht in der Datei, nicht im Bild.`,
   save_picture: 'Bild speichern',
 
@@ -57,7 +65,8 @@ export const export_words: Words['export'] = {
   format_missing: (format, reason) => `Kein ${format}: ${reason}.`,
   film_facts: (frames, seconds) =>
     `${plural(frames, { one: '# Bild', other: '# Bilder' })}, ${number(seconds, 1)} s`,
-  film_note: (notice) =>
+  film_note: (notice) => `„${notice}“ steht in jedem Bild.`,
+  bare_film_note: (notice) =>
     `„${notice}“ steht klein in jedem Bild; nummerierte Bilder bleiben, wie der Server sie gemacht hat, und haben es in der Datei.`,
   save_film: 'Film herstellen',
 
