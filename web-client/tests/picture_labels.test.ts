@@ -119,7 +119,7 @@ describe('where the labels stand', () => {
     expect(textAt(made, 'Head')).toMatchObject({ x: 16, anchor: 'left', size_px: 16, weight: 500 });
     expect(textAt(made, 'Neurological')).toMatchObject({ x: 984, anchor: 'right' });
     expect(textAt(made, NOTICE)).toMatchObject({ x: 16, y: 984, anchor: 'left' });
-    expect(textAt(made, 'A')).toMatchObject({ x: 500, anchor: 'center', weight: 700, size_px: 22 });
+    expect(textAt(made, 'A')).toMatchObject({ x: 500, anchor: 'center', weight: 700, size_px: 26 });
     expect(textAt(made, 'P')).toMatchObject({ x: 500, y: 984 });
     expect(textAt(made, 'L')).toMatchObject({ x: 16, anchor: 'left' });
     expect(textAt(made, 'R')).toMatchObject({ x: 984, anchor: 'right' });

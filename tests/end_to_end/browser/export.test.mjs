@@ -23,7 +23,7 @@ describe('the export', { skip }, () => {
   }
 
   async function setNumber(name, value) {
-    const field = dialog().getByRole('spinbutton', { name });
+    const field = viewer.number(new RegExp(`^${name}`));
     await field.fill(String(value));
     await field.press('Enter');
   }

@@ -43,7 +43,7 @@ const TEXT_SHARE = 0.016;
 const SMALLEST_TEXT_PX = 11;
 
 /** In text sizes. */
-const LETTER = 1.35;
+const LETTER = 1.6;
 const LINE = 1.45;
 const TICK = 0.5;
 const BAR_GAP = 0.4;
