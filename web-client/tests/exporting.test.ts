@@ -46,6 +46,22 @@ describe('a picture', () => {
     expect(state()).toMatchObject({ job: undefined, outcome: { kind: 'saved', bytes: 3 } });
   });
 
+  it('stays bare, with a word of it, where the browser cannot draw, and without one as wanted', async () => {
+    const save = async (): Promise<void> => {
+      const saving = exporting().savePicture('3d', size);
+      answer(lastRequest());
+      await saving;
+    };
+    const complaints = () => harness.state.toasts.filter(({ tone }) => tone === 'problem');
+    await save();
+    expect(complaints()).toMatchObject([{ title: 'Saved without labels' }]);
+    harness.session.toasts.dismiss(complaints()[0]?.id ?? 0);
+    harness.session.commands.prefer({ picture_labels: false });
+    await save();
+    expect(complaints()).toEqual([]);
+    expect(harness.saved).toHaveLength(2);
+  });
+
   it('of a slice is asked for by the slice’s number, and named after it', async () => {
     const saving = exporting().savePicture('coronal', size);
     expect(harness.sent.at(-1)).toMatchObject({ type: 'save_still', view: 2, ...size });

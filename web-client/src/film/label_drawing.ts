@@ -6,7 +6,7 @@ type Context = OffscreenCanvasRenderingContext2D;
 const LIGHT = '#fff';
 const DARK = 'rgb(8 11 13 / 82%)';
 /** In text sizes. */
-const OUTLINE = 0.24;
+const OUTLINE = 0.2;
 const LINE = 0.11;
 /** Of the ticks at the bar's ends. */
 const INNER_TICK = 0.55;

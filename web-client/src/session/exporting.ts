@@ -182,7 +182,7 @@ export class Exporting {
     if (!volume || !preferences.picture_labels) return undefined;
     const subject = { volume, view, size, notice: this.notice };
     const { labels_left_out, labels_left_out_detail } = words().export;
-    const refused = (): void => this.toasts.note(labels_left_out, labels_left_out_detail);
+    const refused = (): void => this.toasts.problem(labels_left_out, labels_left_out_detail);
     return { subject, refused };
   }
 
