@@ -158,6 +158,56 @@ describe('the crosshair', () => {
   });
 });
 
+describe('what the pointer is over', () => {
+  const picks = () => harness.sent.filter((message) => message.type === 'pick');
+  const found = () => harness.state.slice_hover?.found;
+  function answer(value: number): void {
+    const { request } = picks().at(-1) ?? { request: 0 };
+    harness.say({ type: 'picked', request, position_mm: [1, 2, 0], value, units: 'HU' });
+  }
+  beforeEach(() => {
+    slicing().readout.point('axial', [7, 8]);
+    answer(55);
+  });
+
+  it('is asked for again when the slice’s picture becomes another', () => {
+    expect(found()).toMatchObject({ value: 55 });
+    harness.emit({ kind: 'shown', frame: sliceFrame(1, false) });
+    expect(picks()).toHaveLength(2);
+    expect(picks()[1]).toMatchObject({ view: 1, position_px: [7, 8] });
+    answer(66);
+    expect(found()).toMatchObject({ value: 66 });
+    harness.emit({ kind: 'shown', frame: { ...sliceFrame(2), view: 2 } });
+    expect(picks()).toHaveLength(2);
+  });
+
+  it('is not said of another volume, whose first picture has it asked for again', () => {
+    harness.emit({ kind: 'shown', frame: sliceFrame(1) });
+    harness.say({ ...told, revision: 2, volume: { ...volume, id: 'knee' } });
+    expect(found()).toBeUndefined();
+    answer(66);
+    expect(found()).toBeUndefined();
+    harness.emit({ kind: 'shown', frame: sliceFrame(2) });
+    answer(77);
+    expect(found()).toMatchObject({ value: 77 });
+  });
+
+  it('is not said once the connection is lost, or the slice is gone', () => {
+    harness.emit({ kind: 'link', state: { phase: 'connecting' } });
+    expect(found()).toBeUndefined();
+    expect(harness.state.slice_hover).toBeDefined();
+    harness.session.layout.close('axial');
+    expect(harness.state.slice_hover).toBeUndefined();
+  });
+
+  it('is nothing after the pointer has left, whatever is shown then', () => {
+    slicing().readout.pointAway();
+    harness.emit({ kind: 'shown', frame: sliceFrame(1) });
+    expect(harness.state.slice_hover).toBeUndefined();
+    expect(picks()).toHaveLength(1);
+  });
+});
+
 describe('the window', () => {
   it('has presets by key, in Hounsfield units alone', () => {
     expect(press('2', 'axial')).toBe(true);

@@ -103,9 +103,10 @@ export class SliceView extends SessionElement {
       pressed: (event) => measuring.place(slice, pointOf(event)),
     });
     stage.addEventListener('pointermove', (event) => {
-      if (!measures() && event.pointerType !== 'touch') slicing.point(slice, pointOf(event));
+      if (measures()) slicing.readout.pointAway();
+      else if (event.pointerType !== 'touch') slicing.readout.point(slice, pointOf(event));
     });
-    stage.addEventListener('pointerleave', () => slicing.pointAway());
+    stage.addEventListener('pointerleave', () => slicing.readout.pointAway());
     stage.addEventListener('keydown', (event) =>
       applyKey(event, this.session, { view: slice, device_pixels: device_pixels() }),
     );

@@ -29,17 +29,19 @@ import {
 } from '../view/slice_motion.ts';
 import { add, scale, type Vector3 } from '../view/vector.ts';
 import type { Commands } from './commands.ts';
-import { PickFollower, type Picker } from './picker.ts';
+import type { Picker } from './picker.ts';
+import { SliceReadout } from './slice_readout.ts';
 
 export class Slicing {
-  private readonly hover: PickFollower;
+  /** What the pointer is over. */
+  readonly readout: SliceReadout;
 
   constructor(
     private readonly store: Store<ViewerState>,
     private readonly commands: Commands,
     private readonly picker: Picker,
   ) {
-    this.hover = new PickFollower(picker);
+    this.readout = new SliceReadout(store, picker);
   }
 
   /** Patient space, mm. A lens that is to follow goes along. */
@@ -159,18 +161,6 @@ export class Slicing {
     const centre_mm = this.state.scene?.lens?.centre_mm;
     if (view && centre_mm)
       this.commands.setLensRadius(radiusOfCut(view, centre_mm, Math.max(0, radius_px)));
-  }
-
-  /** The pointer is there: its position and value are read. */
-  point(slice: SliceName, position_px: Point): void {
-    this.hover.follow(slice, position_px, (found) =>
-      this.store.update({ slice_hover: { slice, found } }),
-    );
-  }
-
-  pointAway(): void {
-    this.hover.stop();
-    this.store.update({ slice_hover: undefined });
   }
 
   /** As the slices are shown: the whole volume is larger or smaller from another side. */
