@@ -245,6 +245,65 @@ describe('what was measured', () => {
     expect(new Set(list().map((one) => one.id)).size).toBe(2);
   });
 
+  describe('in another volume of the same name', () => {
+    const other = { ...volume, origin_mm: [-2, -2, 40] as [number, number, number] };
+    const open = (opened: typeof volume, revision: number): void =>
+      harness.say({ ...sceneMessage, revision, volume: opened });
+
+    it('is neither listed nor destroyed, and that is said', () => {
+      open(other, 2);
+      expect(list()).toEqual([]);
+      expect(harness.state.measure.draft?.points).toEqual([]);
+      expect(harness.state.toasts).toMatchObject([
+        { title: 'Measured in another volume of this name; not shown' },
+      ]);
+      place(7, 7, 7);
+      open(volume, 3);
+      expect(list().map(({ points }) => points[0]?.position_mm)).toEqual([[1, 2, 3]]);
+    });
+
+    it('is not said of a volume that is told again, or whose numbers are rounded otherwise', () => {
+      open({ ...volume, value_range: [-1000.00001, 3000] }, 2);
+      expect(list()).toHaveLength(1);
+      expect(harness.state.toasts).toEqual([]);
+    });
+
+    const keptById = (position_mm: Vector3): Record<string, string> => {
+      const probe = { name: 'Old', kind: 'probe', points: [{ position_mm, value: 1 }] };
+      return {
+        'cutaway.measurements': JSON.stringify({ version: 1, volumes: [['head', [probe]]] }),
+      };
+    };
+    const visit = async (kept: Record<string, string>): Promise<void> => {
+      harness = new Harness('', kept);
+      harness.session.measured.restore();
+      await harness.connect();
+      open(volume, 1);
+    };
+
+    it('is taken over, not as a step, where the volume was kept by its id and holds it', async () => {
+      await visit(keptById([1, 2, 3]));
+      expect(list()).toMatchObject([{ name: 'Old' }]);
+      measured().rename(list()[0]?.id ?? 0, 'New');
+      harness.session.commands.undo();
+      harness.session.commands.undo();
+      expect(list()).toMatchObject([{ name: 'Old' }]);
+      expect(harness.state.toasts).toEqual([]);
+      await visit(Object.fromEntries(harness.kept));
+      expect(list()).toMatchObject([{ name: 'Old' }]);
+      open(other, 2);
+      expect(list()).toEqual([]);
+    });
+
+    it('stays aside where it lies beyond the volume', async () => {
+      const kept = keptById([1, 2, 300]);
+      await visit(kept);
+      expect(list()).toEqual([]);
+      expect(harness.state.toasts).toHaveLength(1);
+      expect(Object.fromEntries(harness.kept)).toMatchObject(kept);
+    });
+  });
+
   it('is put aside where it cannot be read', () => {
     const kept = '{"version":1,"volumes":[["head",[{"name":"x","kind":"distance","points":[]}]]]}';
     harness = new Harness('', { 'cutaway.measurements': kept });

@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { applyKey } from '../src/interaction/keyboard.ts';
 import type { ShownFrame } from '../src/stream/worker_messages.ts';
+import { measurementsOf } from '../src/state/measure_state.ts';
 import { isSettled, shownSlice } from '../src/state/slice_views.ts';
 import type { ViewName } from '../src/state/views.ts';
 import { sceneMessage, volume } from './capabilities.ts';
@@ -307,7 +308,7 @@ describe('measuring in a slice', () => {
       value: 55,
       units: 'HU',
     });
-    expect(harness.state.measure.by_volume.get('head')).toMatchObject([
+    expect(measurementsOf(harness.state.measure, volume)).toMatchObject([
       { kind: 'probe', points: [{ position_mm: [1, 2, 0], value: 55 }] },
     ]);
   });

@@ -3,6 +3,7 @@ import { holdsNull, nestedPatch, type Json, type JsonObject } from '../state/mer
 import { sceneToAddress } from '../state/scene_address.ts';
 import { shownCamera, viewCamera } from '../state/scene_parts.ts';
 import { stylePatch } from '../state/style_patch.ts';
+import type { MeasuredVolumes } from '../state/measured_volumes.ts';
 import type { Store } from '../state/store.ts';
 import type { PanelTab, ViewerState } from '../state/viewer_state.ts';
 import type { Stream } from '../stream/stream.ts';
@@ -154,6 +155,11 @@ export class Commands {
   stepAtOnce(): void {
     this.nudged_px = undefined;
     this.history.changingAtOnce(this.sceneToKeep());
+  }
+
+  /** Not a step: what another page has changed, or what comes to be another volume's. */
+  rewriteMeasured(rewrite: (all: MeasuredVolumes) => MeasuredVolumes): void {
+    this.history.rewriteMeasured(rewrite);
   }
 
   undo(): void {

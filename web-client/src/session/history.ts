@@ -1,7 +1,7 @@
 // Undo and redo: the scene before each step, and what was measured. A step is a gesture: all that
 // changes while a pointer is held, or without a pause.
 import type { Scene } from '../protocol/messages.ts';
-import type { MeasureState } from '../state/measure_state.ts';
+import { changedKeys, type MeasuredVolumes } from '../state/measured_volumes.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
 import { sameScene, scenePatch } from '../state/scene_diff.ts';
 import type { Store } from '../state/store.ts';
@@ -14,12 +14,12 @@ const MOST_STEPS = 100;
 /** All that a user makes. */
 interface Work {
   readonly scene: Scene;
-  readonly by_volume: MeasureState['by_volume'];
+  readonly by_volume: MeasuredVolumes;
 }
 
 function differs(one: Work, other: Work): boolean {
   const [scene, other_scene] = [one.scene as JsonObject, other.scene as JsonObject];
-  return one.by_volume !== other.by_volume || !sameScene(scene, other_scene);
+  return changedKeys(one.by_volume, other.by_volume).length > 0 || !sameScene(scene, other_scene);
 }
 
 export class History {
@@ -79,6 +79,15 @@ export class History {
     this.restore(target, current);
   }
 
+  /** What was measured changes in the past and in the future too: no step takes it back. */
+  rewriteMeasured(rewrite: (all: MeasuredVolumes) => MeasuredVolumes): void {
+    const rewritten = (work: Work): Work => ({ ...work, by_volume: rewrite(work.by_volume) });
+    this.past = this.past.map(rewritten);
+    this.future = this.future.map(rewritten);
+    const { measure } = this.store.state;
+    this.store.update({ measure: { ...measure, by_volume: rewrite(measure.by_volume) } });
+  }
+
   /** The last scene of the past, of this volume, of which `wanted` holds. */
   last(wanted: (scene: Scene) => boolean): Scene | undefined {
     const volume = this.store.state.scene?.volume;
@@ -96,7 +105,8 @@ export class History {
 
   private restore({ scene, by_volume }: Work, current: Work): void {
     const { measure } = this.store.state;
-    if (by_volume !== current.by_volume) this.store.update({ measure: { ...measure, by_volume } });
+    if (changedKeys(by_volume, current.by_volume).length > 0)
+      this.store.update({ measure: { ...measure, by_volume } });
     this.restoreScene(scene, current.scene);
     this.publish();
   }

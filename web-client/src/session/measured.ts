@@ -10,9 +10,17 @@ import {
 } from '../state/measurement_list.ts';
 import { fileName } from '../state/file_name.ts';
 import { measurementsCsv, measurementsJson } from '../state/measurement_export.ts';
-import { measurementsOf, NOTHING_MEASURED, type MeasureState } from '../state/measure_state.ts';
+import {
+  adopted,
+  changedKeys,
+  isMistakable,
+  withList,
+  type MeasuredVolumes,
+} from '../state/measured_volumes.ts';
+import { measurementsOf, NOTHING_MEASURED } from '../state/measure_state.ts';
 import type { Store } from '../state/store.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
+import { isSameVolume, volumeKey } from '../state/volume_identity.ts';
 import { words } from '../words/words.ts';
 import type { Commands } from './commands.ts';
 import { MeasurementStore } from './measurement_store.ts';
@@ -34,7 +42,10 @@ export class Measured {
     private readonly page: PageParts,
   ) {
     this.storage = new MeasurementStore(page.openStorage);
-    store.subscribe((state) => this.keep(state.measure.by_volume));
+    store.subscribe((state, before) => {
+      this.keep(state.measure.by_volume);
+      if (!isSameVolume(state.volume, before.volume)) this.opened();
+    });
   }
 
   /** What was measured on the visit before. Says so where it cannot be read. */
@@ -48,6 +59,17 @@ export class Measured {
     ]);
     this.kept = new Map(lists);
     this.update(this.kept);
+    this.opened();
+  }
+
+  /** What was kept by its id alone is taken over where it may be; what belongs to another, is said. */
+  private opened(): void {
+    const { volume, measure } = this.store.state;
+    if (!volume) return;
+    const { elsewhere, elsewhere_detail } = words().measure;
+    if (adopted(measure.by_volume, volume))
+      this.commands.rewriteMeasured((all) => adopted(all, volume) ?? all);
+    else if (isMistakable(measure.by_volume, volume)) this.toasts.note(elsewhere, elsewhere_detail);
   }
 
   /** Of the volume that is open. */
@@ -102,7 +124,7 @@ export class Measured {
 
   private apply(change: (list: MeasurementList) => MeasurementList): void {
     const { volume } = this.store.state;
-    if (volume) this.setList(volume.id, change(this.list));
+    if (volume) this.setList(volumeKey(volume), change(this.list));
   }
 
   /** Says so, with a button that takes it back, also once another volume is open. */
@@ -114,27 +136,25 @@ export class Measured {
     const takeBack = (): void => {
       this.commands.stepAtOnce();
       const now = measurementsOf(this.store.state.measure, volume);
-      this.setList(volume.id, withReturned(now, before));
+      this.setList(volumeKey(volume), withReturned(now, before));
     };
     this.toasts.note(said, '', { label: words().page.bar.undo, run: takeBack });
   }
 
-  private setList(volume: string, list: MeasurementList): void {
-    const { by_volume } = this.store.state.measure;
-    this.update(new Map(by_volume).set(volume, list));
+  private setList(key: string, list: MeasurementList): void {
+    this.update(withList(this.store.state.measure.by_volume, key, list));
   }
 
   /** Whoever has changed it: a tool, or a step back. */
-  private keep(by_volume: MeasureState['by_volume']): void {
-    const volumes = new Set([...this.kept.keys(), ...by_volume.keys()]);
-    const changed = [...volumes].filter((id) => this.kept.get(id) !== by_volume.get(id));
+  private keep(by_volume: MeasuredVolumes): void {
+    const changed = changedKeys(this.kept, by_volume);
     this.kept = by_volume;
-    for (const volume of changed) this.save(volume, by_volume.get(volume) ?? []);
+    for (const key of changed) this.save(key, by_volume.get(key) ?? []);
   }
 
-  private save(volume: string, list: MeasurementList): void {
+  private save(key: string, list: MeasurementList): void {
     if (!this.works) return;
-    this.works = this.storage.save(volume, list);
+    this.works = this.storage.save(key, list);
     const { not_kept, not_kept_detail } = words().measure;
     if (!this.works) this.toasts.problem(not_kept, not_kept_detail);
   }
@@ -144,7 +164,7 @@ export class Measured {
     return this.last_id;
   }
 
-  private update(by_volume: MeasureState['by_volume']): void {
+  private update(by_volume: MeasuredVolumes): void {
     this.store.update({ measure: { ...this.store.state.measure, by_volume } });
   }
 }

@@ -1,5 +1,5 @@
-// Where the browser keeps what was measured, by volume. Several pages share the storage, so each
-// change begins with what is there.
+// Where the browser keeps what was measured, by the volumes' keys; once it was by their ids. Several
+// pages share the storage, so each change begins with what is there.
 import {
   parsedJson,
   storedText,

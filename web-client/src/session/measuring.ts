@@ -6,6 +6,7 @@ import type { Store } from '../state/store.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
 import { shownIn, viewportOf } from '../state/slice_views.ts';
 import type { ViewName } from '../state/views.ts';
+import { isSameVolume } from '../state/volume_identity.ts';
 import type { Point } from '../view/camera.ts';
 import { PickFollower, type Pick, type Picker } from './picker.ts';
 import { words } from '../words/words.ts';
@@ -136,7 +137,7 @@ export class Measuring {
 
   private changed(state: ViewerState, before: ViewerState): void {
     const { draft, candidate, selected } = state.measure;
-    if (state.volume?.id !== before.volume?.id) {
+    if (!isSameVolume(state.volume, before.volume)) {
       this.hover.stop();
       this.drag.stop();
       this.update({

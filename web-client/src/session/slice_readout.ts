@@ -2,13 +2,14 @@
 import type { SliceHover } from '../state/slice_pointing.ts';
 import type { Store } from '../state/store.ts';
 import type { ViewerState } from '../state/viewer_state.ts';
+import { isSameVolume } from '../state/volume_identity.ts';
 import type { Point } from '../view/camera.ts';
 import type { SliceName } from '../view/slice_geometry.ts';
 import { PickFollower, type Picker } from './picker.ts';
 
 /** What was found is of no use any more. */
 const isOutdated = (state: ViewerState, before: ViewerState): boolean =>
-  state.volume?.id !== before.volume?.id ||
+  !isSameVolume(state.volume, before.volume) ||
   (state.link.phase !== 'connected' && before.link.phase === 'connected');
 
 export class SliceReadout {

@@ -1,6 +1,8 @@
 // Measuring: the tool in hand, the point that is being placed, and what was measured, by volume.
 import type { MeasuredPoint, MeasurementKind } from './measurement.ts';
+import type { MeasuredVolumes } from './measured_volumes.ts';
 import type { Draft, MeasurementList } from './measurement_list.ts';
+import { volumeKey, type VolumeIdentity } from './volume_identity.ts';
 import type { Point } from '../view/camera.ts';
 import type { ViewName } from './views.ts';
 
@@ -20,8 +22,8 @@ export interface MeasureState {
   /** Its points so far; nothing while no tool is in hand. */
   readonly draft: Draft | undefined;
   readonly candidate: Candidate | undefined;
-  /** By the volume's id: what was measured in one comes back with it. */
-  readonly by_volume: ReadonlyMap<string, MeasurementList>;
+  /** By the volume's key: what was measured in one comes back with it, and with no other. */
+  readonly by_volume: MeasuredVolumes;
   /** Id of the measurement whose points can be moved. */
   readonly selected: number | undefined;
 }
@@ -37,5 +39,5 @@ export const toolInHand = ({ draft }: MeasureState): MeasurementKind | undefined
 
 export const measurementsOf = (
   { by_volume }: MeasureState,
-  volume: { readonly id: string } | undefined,
-): MeasurementList => (volume && by_volume.get(volume.id)) ?? [];
+  volume: VolumeIdentity | undefined,
+): MeasurementList => (volume && by_volume.get(volumeKey(volume))) ?? [];

@@ -30,6 +30,8 @@ export const measure = {
   unreadable: 'Your saved measurements could not be read',
   unreadable_detail:
     'They are damaged or of another version of this page. They were put aside, and the list begins anew.',
+  elsewhere: 'Measured in another volume of this name; not shown',
+  elsewhere_detail: 'What you measured there is kept, and shows again when that volume is opened.',
   not_kept: 'The browser does not keep your measurements',
   not_kept_detail: 'Its storage is full or switched off. They last until this page is closed.',
   as_json: 'Save as JSON',

@@ -31,6 +31,9 @@ export const measure: Words['measure'] = {
   unreadable: 'Ihre gespeicherten Messungen konnten nicht gelesen werden',
   unreadable_detail:
     'Sie sind beschädigt oder von einer anderen Version dieser Seite. Sie wurden beiseitegelegt, die Liste beginnt neu.',
+  elsewhere: 'In einem anderen Volumen dieses Namens gemessen; nicht gezeigt',
+  elsewhere_detail:
+    'Diese Messungen bleiben erhalten und erscheinen, wenn jenes Volumen wieder geöffnet wird.',
   not_kept: 'Der Browser bewahrt Ihre Messungen nicht auf',
   not_kept_detail:
     'Sein Speicher ist voll oder abgeschaltet. Sie bleiben, bis diese Seite geschlossen wird.',
