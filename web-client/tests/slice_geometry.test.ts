@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import {
   extentAlong,
+  shownPlanes,
   slicePlane,
   sliceProjection,
   voxelStepMm,
@@ -192,6 +193,17 @@ describe('a gesture in a slice', () => {
     const view = after(zoomed(viewOf('axial'), 2, [120, 60]));
     expect(view.mm_per_pixel).toBe(0.25);
     expectPoint(view.toPicture(under_mm), [120, 60]);
+  });
+
+  it.each(['axial', 'coronal', 'sagittal'] as const)('is read from the %s picture', (name) => {
+    const turned = tilted(slices, planeOf('coronal'), 0.3);
+    for (const convention of ['radiological', 'neurological'] as const) {
+      const said = { ...slices, ...turned, convention } as Slices;
+      const shown = shownPlanes(planeOf(name, said), name);
+      expectPoint(shown.superior, turned.superior);
+      expectPoint(shown.anterior, turned.anterior);
+      expect(shown.convention).toBe(name === 'sagittal' ? undefined : convention);
+    }
   });
 
   it('tilts the other two planes about its normal', () => {

@@ -1,9 +1,11 @@
-// What stands in a slice: which it is, where it lies, its window, and what the pointer is over.
+// What stands in a slice: which it is, where it lies, its window, and what the pointer is over. It is
+// said of the picture on the screen, which is behind the scene, and stays when the connection is lost.
 import { css, html, nothing } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { positionText, valueText } from '../state/measure_text.ts';
-import { sliceOffsetText, windowText } from '../state/slice_text.ts';
-import type { SliceName, Slices } from '../view/slice_geometry.ts';
+import type { SlicePicture } from '../state/slice_views.ts';
+import { planeOffsetText, windowText } from '../state/slice_text.ts';
+import { shownPlanes, type SliceName, type SlicePlane } from '../view/slice_geometry.ts';
 import { isTilted } from '../view/slice_motion.ts';
 import { plane_colours } from '../styles/planes.ts';
 import { shared } from '../styles/shared.ts';
@@ -12,7 +14,13 @@ import { SessionElement } from './session_element.ts';
 
 @customElement('cutaway-slice-labels')
 export class SliceLabels extends SessionElement {
-  protected override readonly draws = ['scene', 'volume', 'slice_hover', 'drags_window'] as const;
+  protected override readonly draws = [
+    'scene',
+    'volume',
+    'slice_views',
+    'slice_hover',
+    'drags_window',
+  ] as const;
 
   @property({ attribute: false }) slice!: SliceName;
 
@@ -110,32 +118,36 @@ export class SliceLabels extends SessionElement {
   ];
 
   override render() {
-    const { scene, volume } = this.state;
-    const slices = scene?.slices;
-    if (!slices || !volume) return nothing;
+    const { slice_views, volume } = this.state;
+    const { picture } = slice_views[this.slice];
+    if (!volume) return nothing;
+    const plane = picture?.plane;
     return html`<div class="corner">
       <span class="chip name ${this.slice}" data-part="slice-name">
-        <b>${words().slices.names[this.slice]}</b> ${this.position(slices)}
+        <b>${words().slices.names[this.slice]}</b> ${plane ? this.position(plane) : nothing}
       </span>
-      ${this.window(slices)}
-      <span class="chip convention" data-part="convention">${this.convention(slices)}</span>
+      ${picture ? this.window(picture) : nothing} ${plane ? this.convention(plane) : nothing}
       ${this.hover()}
     </div>`;
   }
 
-  private position(slices: Slices) {
-    const text = sliceOffsetText(slices, this.slice);
+  private position(plane: SlicePlane) {
+    const text = planeOffsetText(plane);
     return html`<span class="position" data-part="slice-position">${text}</span>`;
   }
 
-  private convention(slices: Slices): string {
+  private convention(plane: SlicePlane) {
     const { conventions, tilted } = words().slices;
-    const convention = conventions[slices.convention ?? 'radiological'];
-    return isTilted(slices) ? `${convention} · ${tilted}` : convention;
+    const shown = shownPlanes(plane, this.slice);
+    const wanted = this.state.scene?.slices?.convention ?? 'radiological';
+    const convention = conventions[shown.convention ?? wanted];
+    return html`<span class="chip convention" data-part="convention">
+      ${isTilted(shown) ? `${convention} · ${tilted}` : convention}
+    </span>`;
   }
 
   /** A button: by touch it is how a drag comes to change the window. */
-  private window({ window }: Slices) {
+  private window({ window }: SlicePicture) {
     const { volume, drags_window } = this.state;
     if (window?.centre === undefined || window.width === undefined || !volume) return nothing;
     const text = windowText({ centre: window.centre, width: window.width }, volume.units);

@@ -1,7 +1,7 @@
 // Where a slice lies and what its window is, in words of the page's language.
 import type { VolumeSummary } from '../protocol/messages.ts';
 import { directionLetters } from '../view/orientation.ts';
-import { sliceNormal, type SliceName, type Slices } from '../view/slice_geometry.ts';
+import type { SlicePlane } from '../view/slice_geometry.ts';
 import { dot, scale, type Vector3 } from '../view/vector.ts';
 import { words } from '../words/words.ts';
 import { sidedText, valueText } from './measure_text.ts';
@@ -13,10 +13,8 @@ export function offsetText(normal: Vector3, offset_mm: number): string {
   return `${sidedText(directionLetters(direction), Math.abs(offset_mm))} mm`;
 }
 
-export function sliceOffsetText(slices: Slices, name: SliceName): string {
-  const normal = sliceNormal(slices, name);
-  return slices.crosshair_mm ? offsetText(normal, dot(slices.crosshair_mm, normal)) : '';
-}
+export const planeOffsetText = ({ normal, centre_mm }: SlicePlane): string =>
+  offsetText(normal, dot(centre_mm, normal));
 
 /** 'W 400 · C 40' */
 export function windowText({ centre, width }: ValueWindow, units: VolumeSummary['units']): string {

@@ -10,6 +10,12 @@ export type SliceName = (typeof SLICE_NAMES)[number];
 
 export type Slices = NonNullable<Scene['slices']>;
 
+/** Two of the planes' normals; left open they are the patient's own. */
+export interface Directions {
+  readonly superior?: Vector3;
+  readonly anterior?: Vector3;
+}
+
 /** The three planes' normals, orthonormal, in patient space; left = superior x anterior. */
 export interface SliceFrame {
   readonly superior: Vector3;
@@ -20,7 +26,7 @@ export interface SliceFrame {
 const SUPERIOR: Vector3 = [0, 0, 1];
 const ANTERIOR: Vector3 = [0, -1, 0];
 
-export function sliceFrame({ superior, anterior }: Slices): SliceFrame {
+export function sliceFrame({ superior, anterior }: Directions): SliceFrame {
   const s = normalize(superior ?? SUPERIOR);
   const said = anterior ?? ANTERIOR;
   const a = normalize(subtract(said, scale(s, dot(said, s))));
@@ -59,6 +65,17 @@ export function slicePlane(slices: Slices | undefined, name: SliceName): SlicePl
   }[name];
   const to_plane_mm = dot(subtract(slices.crosshair_mm, centre_mm), normal);
   return { ...axes, normal, centre_mm: add(centre_mm, scale(normal, to_plane_mm)), view_height_mm };
+}
+
+/** What a slice's picture says of the planes by its axes. */
+export type ShownPlanes = Required<Directions> & Pick<Slices, 'convention'>;
+
+/** The inverse of slicePlane. Sagittal slices are the same in either convention, and leave it open. */
+export function shownPlanes({ right, up, normal }: SlicePlane, name: SliceName): ShownPlanes {
+  if (name === 'sagittal') return { superior: up, anterior: scale(right, -1) };
+  const [superior, anterior] = name === 'axial' ? [normal, up] : [up, normal];
+  const to_left = dot(right, cross(superior, anterior)) > 0;
+  return { superior, anterior, convention: to_left ? 'radiological' : 'neurological' };
 }
 
 type Grid = Pick<VolumeSummary, 'size_voxels' | 'spacing_mm' | 'origin_mm' | 'axes'>;

@@ -8,6 +8,7 @@ import {
   sliceFrame,
   sliceNormal,
   voxelStepMm,
+  type Directions,
   type SliceName,
   type SliceProjection,
   type Slices,
@@ -114,7 +115,7 @@ export function tilted(
 const TILT_SEEN = 1e-4;
 
 /** Whether the planes are not the patient's own. */
-export function isTilted(slices: Slices): boolean {
-  const { superior, anterior } = sliceFrame(slices);
+export function isTilted(directions: Directions): boolean {
+  const { superior, anterior } = sliceFrame(directions);
   return superior[2] < 1 - TILT_SEEN || anterior[1] > TILT_SEEN - 1;
 }
