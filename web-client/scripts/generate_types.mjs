@@ -52,7 +52,7 @@ const readSchema = async (name) =>
 async function writeSceneFields() {
   const [scene, client] = await Promise.all(['scene', 'client-message'].map(readSchema));
   const fields = {};
-  for (const group of ['camera', 'surface', 'lens', 'light', 'background']) {
+  for (const group of ['camera', 'surface', 'lens', 'light', 'background', 'window']) {
     for (const [name, schema] of Object.entries(scene.definitions[group].properties)) {
       fields[`${group}.${name}`] = fieldFacts(schema, scene.definitions);
     }

@@ -2,6 +2,7 @@ import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { applyKey } from '../src/interaction/keyboard.ts';
 import type { ShownFrame } from '../src/stream/worker_messages.ts';
 import { measurementsOf } from '../src/state/measure_state.ts';
+import { windowControls } from '../src/state/slice_controls.ts';
 import { isSettled, shownSlice } from '../src/state/slice_views.ts';
 import type { ViewName } from '../src/state/views.ts';
 import { sceneMessage, volume } from './capabilities.ts';
@@ -218,6 +219,16 @@ describe('the window', () => {
     press('1', '3d');
     harness.nextFrame();
     expect(harness.scenes()).toEqual([]);
+    expect(harness.state.toasts).toMatchObject([{ title: 'Window presets need Hounsfield units' }]);
+  });
+
+  it('may be typed beyond the volume’s values, which its sliders keep to', () => {
+    const scene = { slices: { window: { centre: -600, width: 1500 } } };
+    const soft: typeof volume = { ...volume, value_range: [-200, 800] };
+    expect(windowControls(scene, soft)).toMatchObject([
+      { value: -600, minimum: -200, maximum: 800, accepts: { minimum: -3.4e38, maximum: 3.4e38 } },
+      { value: 1500, maximum: 1000, accepts: { minimum: 1e-30, maximum: 3.4e38 } },
+    ]);
   });
 
   it('gets wider to the right and darker downwards', () => {

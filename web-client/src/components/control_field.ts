@@ -72,7 +72,8 @@ export class ControlField extends LitElement {
     this.change(this.control.toPatch(value));
   }
 
-  private setNumber(text: number | string, { minimum, maximum }: NumberControl): void {
+  private setNumber(text: number | string, control: NumberControl): void {
+    const { minimum, maximum } = control.accepts ?? control;
     const value = typeof text === 'string' ? Number.parseFloat(text) : text;
     this.typed = undefined;
     if (Number.isFinite(value)) this.set(Math.min(maximum, Math.max(minimum, value)));
@@ -85,6 +86,7 @@ export class ControlField extends LitElement {
 
   private numberField(control: NumberControl) {
     const shown = control.value.toFixed(digitsOf(control.step));
+    const { minimum, maximum } = control.accepts ?? control;
     return html`
       <div class="head" title=${control.description}>
         <span aria-hidden="true">${control.label}</span>
@@ -93,8 +95,8 @@ export class ControlField extends LitElement {
             class="number"
             type="number"
             aria-label=${words().controls.as_number(this.fullName)}
-            min=${control.minimum}
-            max=${control.maximum}
+            min=${minimum}
+            max=${maximum}
             step="any"
             .value=${live(this.typed ?? shown)}
             @input=${(event: Event) => (this.typed = String(inputValue(event)))}

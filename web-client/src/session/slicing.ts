@@ -28,9 +28,11 @@ import {
   type SlicePart,
 } from '../view/slice_motion.ts';
 import { add, scale, type Vector3 } from '../view/vector.ts';
+import { words } from '../words/words.ts';
 import type { Commands } from './commands.ts';
 import type { Picker } from './picker.ts';
 import { SliceReadout } from './slice_readout.ts';
+import type { Toasts } from './toasts.ts';
 
 export class Slicing {
   /** What the pointer is over. */
@@ -40,6 +42,7 @@ export class Slicing {
     private readonly store: Store<ViewerState>,
     private readonly commands: Commands,
     private readonly picker: Picker,
+    private readonly toasts: Toasts,
   ) {
     this.readout = new SliceReadout(store, picker);
   }
@@ -100,7 +103,9 @@ export class Slicing {
   }
 
   usePreset(name: WindowPresetName): void {
-    if (hasPresets(this.state.volume)) this.setWindow(windowPreset(name));
+    const { volume } = this.state;
+    if (hasPresets(volume)) this.setWindow(windowPreset(name));
+    else if (volume) this.toasts.note(words().slices.presets_need_hu);
   }
 
   /** By a drag: to the right wider, down darker. CSS pixels. */

@@ -89,7 +89,7 @@ export class ViewerSession {
     this.commands = new Commands(this.store, this.link, stream, this.toasts);
     this.picker = new Picker(stream, requests, () => this.link.flush());
     this.layout = new ViewLayout(this.store, this.link, this.commands);
-    this.slicing = new Slicing(this.store, this.commands, this.picker);
+    this.slicing = new Slicing(this.store, this.commands, this.picker, this.toasts);
     this.measured = new Measured(this.store, this.commands, this.toasts, parts);
     this.measuring = new Measuring(
       this.store,

@@ -14,8 +14,11 @@ export interface ControlBase {
 export interface NumberControl extends ControlBase {
   readonly kind: 'number';
   readonly value: number;
+  /** The slider's travel. */
   readonly minimum: number;
   readonly maximum: number;
+  /** What may be typed; left out, no more than the slider's travel. */
+  readonly accepts?: { readonly minimum: number; readonly maximum: number };
   readonly step: number;
   readonly unit: string;
 }

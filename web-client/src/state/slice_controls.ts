@@ -1,5 +1,5 @@
 // Controls of the slices: the window, and which side is the patient's right.
-import type { Scene, VolumeSummary } from '../protocol/messages.ts';
+import { SCENE_FIELDS, type Scene, type VolumeSummary } from '../protocol/messages.ts';
 import { CONVENTIONS } from '../preferences/preferences.ts';
 import { words } from '../words/words.ts';
 import {
@@ -10,23 +10,27 @@ import {
 } from './controls.ts';
 import { nestedPatch } from './merge_patch.ts';
 
-/** Nothing while the scene leaves the window open. */
+/**
+ * Nothing while the scene leaves the window open. It may lie beyond the volume's values: a lung's in a
+ * series of soft tissue.
+ */
 export function windowControls(scene: Scene, volume: VolumeSummary): readonly NumberControl[] {
   const { centre, width } = scene.slices?.window ?? {};
   if (centre === undefined || width === undefined) return [];
   const [lowest, highest] = volume.value_range;
   const step = roundStep(lowest, highest);
-  const texts = words().slices;
+  const { slices: texts, controls } = words();
   const unit = volume.units === 'none' ? '' : volume.units;
   return [
     {
       kind: 'number',
       id: 'window-centre',
       label: texts.window_centre,
-      description: texts.window_centre_hint,
+      description: controls.description('window.centre'),
       value: centre,
       minimum: lowest,
       maximum: highest,
+      accepts: SCENE_FIELDS['window.centre'],
       step,
       unit,
       toPatch: (value) => nestedPatch(['slices', 'window', 'centre'], value),
@@ -35,10 +39,11 @@ export function windowControls(scene: Scene, volume: VolumeSummary): readonly Nu
       kind: 'number',
       id: 'window-width',
       label: texts.window_width,
-      description: texts.window_width_hint,
+      description: controls.description('window.width'),
       value: width,
       minimum: step,
       maximum: Math.max(step, highest - lowest),
+      accepts: SCENE_FIELDS['window.width'],
       step,
       unit,
       toPatch: (value) => nestedPatch(['slices', 'window', 'width'], value),

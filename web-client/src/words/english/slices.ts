@@ -25,9 +25,7 @@ export const slices = {
   show: 'Show the slices',
 
   window_centre: 'Window centre',
-  window_centre_hint: 'The value that is drawn middle grey.',
   window_width: 'Window width',
-  window_width_hint: 'From the darkest to the brightest value.',
   presets_heading: 'Windows',
   presets: {
     soft_tissue: 'Soft tissue',
@@ -38,6 +36,7 @@ export const slices = {
   },
   preset_hint: (key: number, centre: string, width: string) =>
     `Centre ${centre}, width ${width} (${key})`,
+  presets_need_hu: 'Window presets need Hounsfield units',
   convention: 'Convention',
   convention_hint:
     'Radiological: the patient’s right is on the left of the picture. Neurological: on the right.',

@@ -40,4 +40,6 @@ export const descriptions: Readonly<Record<DescribedField, string>> = {
   'light.frame':
     'Mit der Kamera dreht sich das Licht mit dem Betrachter; mit dem Patienten bleibt es an ihm.',
   'light.direction': 'Richtung zum Licht.',
+  'window.centre': 'Der Wert, der mittelgrau gezeichnet wird, in den Einheiten des Volumens.',
+  'window.width': 'Von Schwarz bis Weiß, in denselben Einheiten.',
 };

@@ -26,9 +26,7 @@ export const slices: Words['slices'] = {
   show: 'Schichten zeigen',
 
   window_centre: 'Fenstermitte',
-  window_centre_hint: 'Der Wert, der mittelgrau gezeichnet wird.',
   window_width: 'Fensterbreite',
-  window_width_hint: 'Vom dunkelsten zum hellsten Wert.',
   presets_heading: 'Fenster',
   presets: {
     soft_tissue: 'Weichteile',
@@ -38,6 +36,7 @@ export const slices: Words['slices'] = {
     liver: 'Leber',
   },
   preset_hint: (key, centre, width) => `Mitte ${centre}, Breite ${width} (${key})`,
+  presets_need_hu: 'Vorgegebene Fenster brauchen Hounsfield-Einheiten',
   convention: 'Konvention',
   convention_hint:
     'Radiologisch: die rechte Seite des Patienten ist links im Bild. Neurologisch: rechts.',
