@@ -10,6 +10,7 @@ import { keepSceneInAddress } from './session/address_bar.ts';
 import { openViewerSession } from './session/viewer_session.ts';
 import { webSocketUrl } from './stream/stream.ts';
 import { keepLook } from './preferences/look.ts';
+import type { WatchStorage } from './preferences/browser_storage.ts';
 import { keepPreferences, PreferenceStore, sayLeftOut } from './preferences/preference_store.ts';
 import { DEFAULT_PREFERENCES } from './preferences/preferences.ts';
 import { keepSpeaking } from './preferences/speech.ts';
@@ -28,7 +29,10 @@ function saveFile(name: string, content: Blob): void {
 
 const canvases = VIEW_NAMES.map(() => document.createElement('canvas'));
 const openStorage = () => localStorage;
-const session = openViewerSession(canvases, webSocketUrl(location), { saveFile, openStorage });
+const watchStorage: WatchStorage = (changed) =>
+  window.addEventListener('storage', ({ key }) => changed(key));
+const page = { saveFile, openStorage, watchStorage };
+const session = openViewerSession(canvases, webSocketUrl(location), page);
 const defaults = { ...DEFAULT_PREFERENCES, panel_open: !isPhone() };
 const fault = keepPreferences(session, new PreferenceStore(openStorage), defaults);
 keepLook(session, document, matchMedia('(prefers-color-scheme: light)'));

@@ -44,6 +44,8 @@ export class Harness {
   readonly saved: [string, Blob][] = [];
   /** What the browser keeps. */
   readonly kept = new Map<string, string>();
+  /** Another page has changed what the browser keeps under a key. */
+  storageChanged: (key: string) => void = () => undefined;
   private listener: (event: FromWorker) => void = () => undefined;
   readonly session: ViewerSession;
 
@@ -60,6 +62,7 @@ export class Harness {
       },
       address: () => this.address,
       saveFile: (name, content) => this.saved.push([name, content]),
+      watchStorage: (changed) => (this.storageChanged = changed),
       openStorage: () => ({
         getItem: (key) => this.kept.get(key) ?? null,
         setItem: (key, text) => void this.kept.set(key, text),

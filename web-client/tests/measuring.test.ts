@@ -304,6 +304,70 @@ describe('what was measured', () => {
     });
   });
 
+  describe('on two pages', () => {
+    let first: Harness;
+    let second: Harness;
+    /** What one page has saved is there for the other. */
+    const told = (by: Harness, to: Harness): void => {
+      for (const [key, text] of by.kept) to.kept.set(key, text);
+      to.storageChanged('cutaway.measurements');
+    };
+    const names = (page: Harness): readonly string[] =>
+      measurementsOf(page.state.measure, page.state.volume).map(({ name }) => name);
+    const openPage = async (kept: Record<string, string>): Promise<Harness> => {
+      const page = new Harness('', kept);
+      page.session.measured.restore();
+      await page.connect();
+      page.say(sceneMessage);
+      return page;
+    };
+    beforeEach(async () => {
+      first = await openPage(Object.fromEntries(harness.kept));
+      second = await openPage(Object.fromEntries(harness.kept));
+    });
+    const measureIn = (page: Harness, ...position_mm: Vector3): void => {
+      harness = page;
+      measuring().take('probe');
+      place(...position_mm);
+      measuring().take('probe');
+    };
+
+    it('is not destroyed by the other’s save', () => {
+      measureIn(second, 2, 2, 2);
+      told(second, first);
+      measureIn(first, 3, 3, 3);
+      expect(names(first)).toEqual(['Probe 1', 'Probe 2', 'Probe 3']);
+      told(first, second);
+      expect(names(second)).toEqual(names(first));
+    });
+
+    it('is not saved back, keeps what is chosen, and is no step', () => {
+      measureIn(first, 3, 3, 3);
+      const { selected } = first.state.measure;
+      told(first, second);
+      measureIn(second, 2, 2, 2);
+      const set = vi.spyOn(first.kept, 'set');
+      told(second, first);
+      expect(set.mock.calls.filter(([key]) => key === 'cutaway.measurements')).toHaveLength(1);
+      expect(first.state.measure.selected).toBe(selected);
+      first.session.commands.undo();
+      expect(names(first)).toEqual(['Probe 1', 'Probe 2', 'Probe 3']);
+    });
+
+    it('goes with the other’s deletion', () => {
+      second.session.measured.removeAll();
+      told(second, first);
+      expect(names(first)).toEqual([]);
+    });
+
+    it('leaves alone what another page keeps besides, and what cannot be read', () => {
+      first.kept.set('cutaway.measurements', 'damaged');
+      first.storageChanged('cutaway.styles');
+      first.storageChanged('cutaway.measurements');
+      expect(names(first)).toEqual(['Probe 1']);
+    });
+  });
+
   it('is put aside where it cannot be read', () => {
     const kept = '{"version":1,"volumes":[["head",[{"name":"x","kind":"distance","points":[]}]]]}';
     harness = new Harness('', { 'cutaway.measurements': kept });

@@ -3,6 +3,9 @@
 /** Gives the storage, or throws where the browser refuses it. */
 export type OpenStorage = () => Pick<Storage, 'getItem' | 'setItem'>;
 
+/** `changed` hears the key of each text that another page of this browser changes. */
+export type WatchStorage = (changed: (key: string | null) => void) => void;
+
 /** Nothing where nothing is kept, or where it cannot be had. */
 export function storedText(open: OpenStorage, key: string): string | null {
   try {

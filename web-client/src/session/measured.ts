@@ -2,6 +2,7 @@
 // in the browser's storage.
 import {
   freeName,
+  identified,
   renamed,
   without,
   withReturned,
@@ -15,6 +16,7 @@ import {
   changedKeys,
   isMistakable,
   withList,
+  withListsOf,
   type MeasuredVolumes,
 } from '../state/measured_volumes.ts';
 import { measurementsOf, NOTHING_MEASURED } from '../state/measure_state.ts';
@@ -23,7 +25,7 @@ import type { ViewerState } from '../state/viewer_state.ts';
 import { isSameVolume, volumeKey } from '../state/volume_identity.ts';
 import { words } from '../words/words.ts';
 import type { Commands } from './commands.ts';
-import { MeasurementStore } from './measurement_store.ts';
+import { MeasurementStore, type KeptMeasurements } from './measurement_store.ts';
 import type { Toasts } from './toasts.ts';
 import type { PageParts } from './viewer_session.ts';
 
@@ -50,16 +52,34 @@ export class Measured {
 
   /** What was measured on the visit before. Says so where it cannot be read. */
   restore(): void {
+    this.storage.watch(this.page.watchStorage, () => this.takeOver());
     const kept = this.storage.load();
     const { unreadable, unreadable_detail } = words().measure;
     if (!kept) return this.toasts.problem(unreadable, unreadable_detail);
-    const lists = [...kept].map(([volume, list]): [string, MeasurementList] => [
-      volume,
-      list.map((one) => ({ ...one, id: this.nextId() })),
-    ]);
-    this.kept = new Map(lists);
+    this.kept = this.withIds(kept);
     this.update(this.kept);
     this.opened();
+  }
+
+  /** Another page has saved: the next save of this one would destroy what it does not know. */
+  private takeOver(): void {
+    const kept = this.works ? this.storage.load() : undefined;
+    if (!kept) return;
+    this.kept = this.withIds(kept);
+    const { kept: saved } = this;
+    const changed = changedKeys(this.store.state.measure.by_volume, saved);
+    if (changed.length > 0)
+      this.commands.rewriteMeasured((all) => withListsOf(all, saved, changed));
+  }
+
+  /** What the page has already stays the very same. */
+  private withIds(kept: KeptMeasurements): MeasuredVolumes {
+    const { by_volume } = this.store.state.measure;
+    const lists = [...kept].map(
+      ([key, list]) =>
+        [key, identified(list, by_volume.get(key) ?? [], () => this.nextId())] as const,
+    );
+    return new Map(lists);
   }
 
   /** What was kept by its id alone is taken over where it may be; what belongs to another, is said. */

@@ -5,6 +5,7 @@ import {
   storedText,
   storeText,
   type OpenStorage,
+  type WatchStorage,
 } from '../preferences/browser_storage.ts';
 import {
   MEASUREMENT_KINDS,
@@ -28,6 +29,13 @@ const MOST_VOLUMES = 200;
 
 export class MeasurementStore {
   constructor(private readonly open: OpenStorage) {}
+
+  /** `changed` hears that another page has saved. */
+  watch(watchStorage: WatchStorage, changed: () => void): void {
+    watchStorage((key) => {
+      if (key === KEY) changed();
+    });
+  }
 
   /** Nothing where what is kept there cannot be read: it is of another version, or damaged. */
   load(): KeptMeasurements | undefined {

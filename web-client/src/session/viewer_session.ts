@@ -21,7 +21,7 @@ import { Exporting } from './exporting.ts';
 import { FrameRate } from './frame_rate.ts';
 import { Measured } from './measured.ts';
 import { Measuring } from './measuring.ts';
-import type { OpenStorage } from '../preferences/browser_storage.ts';
+import type { OpenStorage, WatchStorage } from '../preferences/browser_storage.ts';
 import { OwnStyling } from './own_styling.ts';
 import { Picker } from './picker.ts';
 import { PreviewRequests } from './preview_requests.ts';
@@ -46,6 +46,7 @@ export type SaveFile = (name: string, content: Blob) => void;
 export interface PageParts {
   readonly saveFile: SaveFile;
   readonly openStorage: OpenStorage;
+  readonly watchStorage: WatchStorage;
 }
 
 export interface SessionParts extends PageParts {

@@ -23,6 +23,13 @@ export function changedKeys(from: MeasuredVolumes, to: MeasuredVolumes): readonl
   return [...keys].filter((key) => from.get(key) !== to.get(key));
 }
 
+/** With the lists of `keys` as they are in `other`. */
+export const withListsOf = (
+  volumes: MeasuredVolumes,
+  other: MeasuredVolumes,
+  keys: readonly string[],
+): MeasuredVolumes => keys.reduce((all, key) => withList(all, key, other.get(key) ?? []), volumes);
+
 /**
  * Measurements that were kept by the id alone become the volume's, where all of them lie within it.
  * Nothing where there are none to take over.

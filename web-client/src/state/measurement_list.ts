@@ -37,6 +37,26 @@ export function withReturned(list: MeasurementList, before: MeasurementList): Me
   return [...before.map((one) => now.get(one.id) ?? one), ...added];
 }
 
+/** What two measurements of the same name, kind and points have in common. */
+const contentOf = ({ kind, name, points }: Omit<Measurement, 'id'>): string =>
+  JSON.stringify([kind, name, points.map(({ position_mm, value }) => [position_mm, value])]);
+
+/** With the ids that the known ones have; the others get new ones. Where all are known, that list. */
+export function identified(
+  list: readonly Omit<Measurement, 'id'>[],
+  known: MeasurementList,
+  nextId: () => number,
+): MeasurementList {
+  const left = new Map(known.map((one) => [contentOf(one), one]));
+  const all = list.map((one) => {
+    const same = left.get(contentOf(one));
+    left.delete(contentOf(one));
+    return same ?? { ...one, id: nextId() };
+  });
+  const is_known = all.length === known.length && all.every((one, index) => one === known[index]);
+  return is_known ? known : all;
+}
+
 /** A point that would fall on another of the same measurement stays where it is. */
 export function withPoint(
   list: MeasurementList,
