@@ -100,6 +100,12 @@ describe('slices of a known volume', { skip: skip || (isStandIn && 'needs files'
       (await hover.textContent()).trim(),
       /^300 HU · L 2\d\.\d · A 1\d\.\d · S 1\d\.\d mm$/,
     );
+    // The pointer rests, and the slice under it becomes another.
+    const anterior_mm = async () => Number(/A ([\d.]+)/.exec(await hover.textContent())?.[1]);
+    const before_mm = await anterior_mm();
+    await slices.stage('coronal').focus();
+    await viewer.page.keyboard.press('ArrowUp');
+    await slices.until(async () => (await anterior_mm()) > before_mm);
     await viewer.page.mouse.move(5, 5);
     await hover.waitFor({ state: 'detached' });
     await viewer.close();
@@ -223,6 +229,7 @@ describe('the slices on a desktop', { skip }, () => {
     await page().keyboard.down('Alt');
     await viewer.drag(await slices.at('axial', 0.4, 0.4), await slices.at('axial', 0.6, 0.4));
     await page().keyboard.up('Alt');
+    await slices.settled();
     assert.notEqual(await slices.windowText('axial'), 'W 400 · C 40');
     await slices.part('axial', 'slice-window').click();
     const crosshair = await slices.positions();
@@ -230,11 +237,20 @@ describe('the slices on a desktop', { skip }, () => {
     assert.deepEqual(await slices.positions(), crosshair);
     await viewer.openTab('View');
     await viewer.page.locator('[data-preset=liver]').click();
+    await slices.settled();
     assert.equal(await slices.windowText('axial'), 'W 160 · C 60');
     await viewer.number('Slices: Window centre').fill('100');
     await viewer.number('Slices: Window centre').press('Enter');
     await slices.settled();
     assert.equal(await slices.windowText('axial'), 'W 160 · C 100');
+    // Beyond the volume's values, where the slider does not reach.
+    await viewer.number('Slices: Window centre').fill('-9000');
+    await viewer.number('Slices: Window centre').press('Enter');
+    await slices.settled();
+    assert.equal(await slices.windowText('axial'), 'W 160 · C -9,000');
+    await viewer.number('Slices: Window centre').fill('100');
+    await viewer.number('Slices: Window centre').press('Enter');
+    await slices.settled();
     await assertAccessible(viewer, 'the slices’ part of the panel');
     await viewer.screenshot('desktop-slices-panel');
   });
