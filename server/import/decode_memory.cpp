@@ -8,7 +8,8 @@ namespace cutaway::reading {
 
 namespace {
 
-/// Decoded pixels are there four times at worst: as in the file, in the codec, as an image, as bytes.
+/// Decoded pixels are there four times at worst: as in the file, in the codec, as an image, as
+/// bytes.
 constexpr std::uint64_t kCopies = 4;
 constexpr std::uint64_t kMostBytesSideBySide = std::uint64_t{1} << 30;
 /// More would wait for memory, not for codecs.

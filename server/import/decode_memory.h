@@ -5,8 +5,8 @@
 
 namespace cutaway::reading {
 
-/// As many as the machine has cores, and fewer where a file's decoded pixels are large: together they
-/// stay within a bound that one such file may exceed alone.
+/// As many as the machine has cores, and fewer where a file's decoded pixels are large: together
+/// they stay within a bound that one such file may exceed alone.
 int decode_threads(std::uint64_t decoded_bytes_of_a_file);
 
 /// Address space that they take in a process with one arena of the allocator, stacks included.

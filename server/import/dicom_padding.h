@@ -27,8 +27,8 @@ struct PixelPadding {
 /// Nothing where the image declares none.
 std::optional<PixelPadding> pixel_padding(const gdcm::DataSet& data);
 
-/// Which voxels of a volume are padding, 1 or 0; empty where no image of it declares any. Bytes, for
-/// several threads write to it at once, which a vector of bits does not bear.
+/// Which voxels of a volume are padding, 1 or 0; empty where no image of it declares any. Bytes,
+/// for several threads write to it at once, which a vector of bits does not bear.
 using PaddingMask = std::vector<std::uint8_t>;
 
 /// Gives the padding the smallest real value among the other voxels, so that it does not widen the

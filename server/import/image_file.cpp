@@ -36,9 +36,7 @@ const ImageFunctions& module_for(const std::filesystem::path& file) {
 
 }  // namespace
 
-ImageFile open_image_file(const std::filesystem::path& file) {
-  return module_for(file).open(file);
-}
+ImageFile open_image_file(const std::filesystem::path& file) { return module_for(file).open(file); }
 
 void read_image_page(const std::filesystem::path& file, int page, const PixelLayout& layout,
                      std::span<std::byte> pixels) {

@@ -1,4 +1,5 @@
-// TIFF and PNG pictures, through OpenImageIO, which a module brings along (image_module.h). Any thread.
+// TIFF and PNG pictures, through OpenImageIO, which a module brings along (image_module.h). Any
+// thread.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
-// The one part of the readers that uses OpenImageIO, loaded when the first picture is opened: the library brings some
-// two hundred others with it, and a process that reads none of its formats would spend most of its start on linking
-// them.
+// The one part of the readers that uses OpenImageIO, loaded when the first picture is opened: the
+// library brings some two hundred others with it, and a process that reads none of its formats
+// would spend most of its start on linking them.
 #pragma once
 
 #include "import/image_file.h"

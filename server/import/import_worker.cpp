@@ -21,8 +21,8 @@ using namespace reading;
 
 namespace {
 
-/// Dies with its parent, gains no rights, and is the first to go where memory runs out. One arena for
-/// all threads: each arena of its own would reserve address space, of which there is a limit.
+/// Dies with its parent, gains no rights, and is the first to go where memory runs out. One arena
+/// for all threads: each arena of its own would reserve address space, of which there is a limit.
 void keep_harmless() {
   mallopt(M_ARENA_MAX, 1);
   prctl(PR_SET_PDEATHSIG, SIGKILL);

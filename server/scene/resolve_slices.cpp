@@ -39,7 +39,8 @@ SliceView view_from(const Json& document, glm::dvec3 chosen_centre_mm) {
 Slices resolve_slices(const Json& document, const VolumeFacts& volume) {
   const glm::dvec3 middle_mm = slices_centre_mm(volume);
   Slices slices;
-  slices.crosshair_mm = vector_or(document, "crosshair_mm", [&] { return chosen_crosshair_mm(volume); });
+  slices.crosshair_mm =
+      vector_or(document, "crosshair_mm", [&] { return chosen_crosshair_mm(volume); });
   slices.superior = unit_direction(document, "superior");
   slices.anterior =
       square_to(slices.superior, unit_direction(document, "anterior"), document.at("anterior"));

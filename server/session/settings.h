@@ -12,7 +12,7 @@ struct SessionSettings {
   Milliseconds frame_budget{33.0};  ///< what an interactive frame may take to render and to travel
   /// Of a session's first frame, while nothing is known of what one costs; 0.25 to 1.
   double first_resolution_scale = 1.0;
-  Milliseconds rest{200.0};         ///< without input, before the still frame
+  Milliseconds rest{200.0};  ///< without input, before the still frame
   int still_jpeg_quality = 92;
   int still_supersampling = 2;          ///< rays a pixel, each way, where still_rays allows it
   std::int64_t still_rays = 8'400'000;  ///< of a still frame: a larger one gets fewer a pixel

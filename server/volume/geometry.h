@@ -48,7 +48,8 @@ bool is_within_reach(const VolumeGeometry& geometry);
 glm::dmat3 half_axes_mm(const VolumeGeometry& geometry);
 
 glm::dvec3 centre_mm(const VolumeGeometry& geometry);
-/// Centre of the voxel in the middle: where an axis has an even number of them, of the later of two.
+/// Centre of the voxel in the middle: where an axis has an even number of them, of the later of
+/// two.
 glm::dvec3 middle_voxel_mm(const VolumeGeometry& geometry);
 
 /// In its unit rays count their steps.

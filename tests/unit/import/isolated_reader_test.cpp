@@ -208,7 +208,9 @@ TEST(IsolatedReader, GrantsTheMemoryToDecodeAWholeFile) {
   TemporaryFolder folder;
   VolumeSource source = only_source(write_ramp_volume(folder), folder.path());
   const ImportLimits limits{.volume_bytes = 1 << 20};
-  const auto decoding_kib = [](std::uint64_t bytes) { return reading::decode_memory_bytes(bytes) >> 10; };
+  const auto decoding_kib = [](std::uint64_t bytes) {
+    return reading::decode_memory_bytes(bytes) >> 10;
+  };
   const std::uint64_t alone = granted_kib(folder, source, limits) - decoding_kib(0);
   source.decode_bytes = 512 << 10;
   EXPECT_EQ(granted_kib(folder, source, limits), alone + decoding_kib(512 << 10));

@@ -1,7 +1,7 @@
 // What is written on an exported picture: how it shows the patient, and what it is not for.
 import type { Scene, VolumeSummary } from '../protocol/messages.ts';
 import { cameraOf } from '../state/scene_parts.ts';
-import { sliceOffsetText, windowText } from '../state/slice_text.ts';
+import { planeOffsetText, windowText } from '../state/slice_text.ts';
 import type { ViewName } from '../state/views.ts';
 import { cameraAxes, type CameraAxes, type Viewport } from '../view/camera.ts';
 import { edgeLetters, type EdgeLetters } from '../view/orientation.ts';
@@ -75,7 +75,7 @@ function sliceLabels(
   const plane = slicePlane(slices, name);
   const title = words().slices.names[name];
   if (!slices || !plane) return { facts: [title] };
-  const where = `${title} · ${sliceOffsetText(slices, name)}`;
+  const where = `${title} · ${planeOffsetText(plane)}`;
   return {
     ...shown(sliceProjection(plane, volume, size), plane),
     facts: [where, conventionFact(slices), ...windowFact(slices, volume)],
