@@ -353,6 +353,14 @@ describe('a server that does not answer', () => {
     expect(harness.state.stalled).toBe(false);
   });
 
+  it('is not where it refuses the input, which no picture will show', () => {
+    harness.session.commands.resetView();
+    const { sent_input: input } = harness.state;
+    harness.say({ type: 'error', code: 'out-of-range', message: 'no', input });
+    vi.advanceTimersByTime(60_000);
+    expect(harness.state.stalled).toBe(false);
+  });
+
   it('is where the scene that it says is yet to be seen', () => {
     harness.session.commands.resetView();
     const { lens, ...rest } = sceneMessage.scene;

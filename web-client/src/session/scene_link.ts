@@ -142,6 +142,7 @@ export class SceneLink implements OutboxSender {
   refused(error: ErrorMessage): void {
     if (error.input === undefined) return;
     this.sync.refused(error.input);
+    this.showsInput(error.input); // no picture will
     this.publish();
   }
 
