@@ -38,7 +38,11 @@ TEST(VolumeService, SaysWhatASceneMessageNeeds) {
   Heard heard;
   const auto ticket = service.open("phantom:head@32", heard.progress(), heard.done());
   const Json summary = heard.volume()->summary();
-  validate({{"type", "scene"}, {"revision", 1}, {"scene", Json::object()}, {"volume", summary}},
+  validate({{"type", "scene"},
+            {"revision", 1},
+            {"input", 0},
+            {"scene", Json::object()},
+            {"volume", summary}},
            "server-message");
   std::uint64_t voxels = 0;
   for (const Json& count : summary["histogram"]) voxels += count.get<std::uint64_t>();
