@@ -126,11 +126,15 @@ Session::Reception Session::receive_text(std::string_view text) {
   return Reception::taken;
 }
 
-// Paid for afterwards, since only then it is known whether the memory had the answer.
+// Paid for afterwards, since only then it is known whether the memory had the answer. Pictures
+// beside the scene, which are made at the server's pace, leave half of the burst: a list of volumes
+// with their pictures must not cost the user the next click.
 void Session::pay_for_lens_searches() {
-  const int searches = state_.take_lens_searches() + lenses_of_pictures_.take_searches();
-  if (searches == 0) return;
-  message_rate_.charge(ends_.strand->now(), searches * settings_.lens_search_messages);
+  const TimePoint now = ends_.strand->now();
+  const double cost = settings_.lens_search_messages;
+  message_rate_.charge(now, state_.take_lens_searches() * cost);
+  message_rate_.charge_above(now, lenses_of_pictures_.take_searches() * cost,
+                             settings_.message_burst / 2.0);
 }
 
 Session::Reception Session::refuse_too_fast() {

@@ -26,6 +26,12 @@ class TokenBucket {
     tokens_ -= tokens;
   }
 
+  /// Takes no more than leaves `least`, where there is that much.
+  void charge_above(TimePoint now, double tokens, double least) {
+    fill(now);
+    tokens_ = std::min(tokens_, std::max(least, tokens_ - tokens));
+  }
+
  private:
   void fill(TimePoint now) {
     const double seconds = std::chrono::duration<double>(now - filled_at_).count();

@@ -50,6 +50,15 @@ TEST(TokenBucket, IsPaidBackWhereItWasCharged) {
   EXPECT_TRUE(bucket.take(kStart + milliseconds(301)));
 }
 
+TEST(TokenBucket, LeavesWhatIsToBeLeft) {
+  TokenBucket bucket(10.0, 4.0, kStart);
+  bucket.charge_above(kStart, 100.0, 2.0);
+  EXPECT_TRUE(bucket.take(kStart));
+  bucket.charge_above(kStart, 100.0, 2.0);  // there is less already, which stays
+  EXPECT_TRUE(bucket.take(kStart));
+  EXPECT_FALSE(bucket.take(kStart));
+}
+
 class PacerTest : public ::testing::Test {
  protected:
   Pacer pacer{Milliseconds(200.0)};
