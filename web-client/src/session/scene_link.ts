@@ -5,7 +5,7 @@ import type { JsonObject } from '../state/merge_patch.ts';
 import { SceneSync } from '../state/scene_sync.ts';
 import type { SlicePicture } from '../state/slice_views.ts';
 import type { Store } from '../state/store.ts';
-import type { ViewerState } from '../state/viewer_state.ts';
+import { awaitsPicture, type ViewerState } from '../state/viewer_state.ts';
 import { viewNumber, type ViewName } from '../state/views.ts';
 import type { Stream } from '../stream/stream.ts';
 import type { ShownFrame } from '../stream/worker_messages.ts';
@@ -124,8 +124,7 @@ export class SceneLink implements OutboxSender {
 
   /** A gesture is under way whose picture is not there yet. */
   get awaits_picture(): boolean {
-    const { sent_input, shown_input } = this.store.state;
-    return this.outbox.holds_lens || isAfter(sent_input, shown_input);
+    return this.outbox.holds_lens || awaitsPicture(this.store.state);
   }
 
   shown(frame: ShownFrame): Scene | undefined {

@@ -1,16 +1,15 @@
 // Notices that an input waits long for its picture although there is a connection.
-import { isAfter } from '../protocol/counter.ts';
 import type { Store } from '../state/store.ts';
-import type { ViewerState } from '../state/viewer_state.ts';
+import { awaitsPicture, type ViewerState } from '../state/viewer_state.ts';
 
 const LONG_MS = 6_000;
 
 /** A picture may show later inputs, too: those of slices, which change nothing in it. */
-const waits = ({ link, loading, volume, sent_input, shown_input }: ViewerState): boolean =>
-  link.phase === 'connected' &&
-  !loading &&
-  volume !== undefined &&
-  isAfter(sent_input, shown_input);
+const waits = (state: ViewerState): boolean =>
+  state.link.phase === 'connected' &&
+  !state.loading &&
+  state.volume !== undefined &&
+  awaitsPicture(state);
 
 /** Any picture, however old its input, shows that the stream goes on. */
 export function watchForStalls(store: Store<ViewerState>): void {

@@ -1,4 +1,5 @@
 // All that the page shows, in one place.
+import { isAfter } from '../protocol/counter.ts';
 import type {
   CapabilitiesMessage,
   LoadingMessage,
@@ -139,3 +140,7 @@ export const INITIAL_STATE: ViewerState = {
   panel_tab: 'styles',
   help_open: false,
 };
+
+/** An input went out that the 3-D picture does not show yet. */
+export const awaitsPicture = ({ sent_input, shown_input }: ViewerState): boolean =>
+  isAfter(sent_input, shown_input);
