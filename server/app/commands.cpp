@@ -11,8 +11,8 @@
 #include "render/render_settings.h"
 
 #ifdef CUTAWAY_IMPORT
-#include "import/import_worker.h"
-#include "import/isolated_reader.h"
+#include "import/isolation/import_worker.h"
+#include "import/isolation/isolated_reader.h"
 #endif
 
 namespace cutaway {

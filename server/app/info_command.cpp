@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/named_path.h"
 #include "core/printable.h"
+#include "services/named_path.h"
 #include "volume/phantoms.h"
 
 namespace cutaway {

@@ -7,13 +7,13 @@
 #include <numeric>
 #include <utility>
 
-#include "app/frame_service.h"
-#include "app/volume_service.h"
 #include "core/log.h"
 #include "core/machine_memory.h"
 #include "net/server.h"
 #include "scene/json_text.h"
 #include "scene/server_message.h"
+#include "services/frame_service.h"
+#include "services/volume_service.h"
 
 namespace cutaway {
 

@@ -3,8 +3,8 @@
 #include "volume/phantoms.h"
 
 #ifdef CUTAWAY_IMPORT
-#include "app/named_path.h"
-#include "import/isolated_reader.h"
+#include "import/isolation/isolated_reader.h"
+#include "services/named_path.h"
 #endif
 
 namespace cutaway {

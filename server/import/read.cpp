@@ -5,7 +5,7 @@
 #include "core/check.h"
 #include "import/data_root.h"
 #include "import/formats.h"
-#include "import/grid_file.h"
+#include "import/grids/grid_file.h"
 #include "import/refusal.h"
 
 namespace cutaway {

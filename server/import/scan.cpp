@@ -5,10 +5,10 @@
 
 #include "core/check.h"
 #include "import/data_root.h"
-#include "import/dicom_frame.h"
+#include "import/dicom/frame.h"
 #include "import/formats.h"
-#include "import/grid_file.h"
-#include "import/image_file.h"
+#include "import/grids/grid_file.h"
+#include "import/pictures/image_file.h"
 #include "import/refusal.h"
 
 namespace cutaway {

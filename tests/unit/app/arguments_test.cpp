@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/client_words.h"
 #include "app/output_file.h"
 #include "app/picture_size.h"
+#include "services/client_words.h"
 
 namespace cutaway {
 namespace {

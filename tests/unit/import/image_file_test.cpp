@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "import/tiff_pages.h"
+#include "import/pictures/tiff_pages.h"
 #include "unit/import/import_test_support.h"
 #include "unit/import/picture_writer.h"
 

@@ -1,4 +1,4 @@
-#include "import/isolated_reader.h"
+#include "import/isolation/isolated_reader.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

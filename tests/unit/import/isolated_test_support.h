@@ -1,7 +1,7 @@
 // What the tests of the child process share. Only for programs that know CUTAWAY_TEST_WORKER.
 #pragma once
 
-#include "import/isolated_reader.h"
+#include "import/isolation/isolated_reader.h"
 #include "unit/import/import_test_support.h"
 
 namespace cutaway::test {

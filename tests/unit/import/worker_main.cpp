@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "import/import_worker.h"
+#include "import/isolation/import_worker.h"
 
 namespace {
 

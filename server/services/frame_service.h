@@ -1,0 +1,48 @@
+// Where sessions' frames come from: the render thread, then a pool that compresses.
+#pragma once
+
+#include <boost/asio/thread_pool.hpp>
+#include <functional>
+#include <memory>
+
+#include "render/render_thread.h"
+#include "services/large_stills.h"
+#include "services/settings.h"
+#include "services/upload_target.h"
+#include "session/ends.h"
+
+namespace cutaway {
+
+/// Thread-safe. Destroying it ends every request that is under way.
+class FrameService : public FrameSource {
+ public:
+  /// Finds the volume of a scene in memory; nothing where it is not there any more.
+  using FindVolume = std::function<std::shared_ptr<const LoadedVolume>(const std::string& id)>;
+
+  /// Throws Error "renderer-unavailable".
+  FrameService(const RendererSettings& settings, FindVolume find_volume);
+  ~FrameService() override;
+
+  void submit(FrameRequest request, std::function<void(FrameOutcome)> done) override;
+  bool renew(const FrameRequest& request) override;
+  void release(std::uint64_t view) override;
+  RendererDescription describe() const override;
+  std::string trouble() const override;
+
+  const RenderLimits& limits() const { return renderer_->info().limits; }
+
+  /// Works for as long as this does.
+  UploadTarget upload_target();
+
+ private:
+  using Done = std::function<void(FrameOutcome)>;
+  RenderRequest render_request(const FrameRequest& request) const;
+  void end(RenderOutcome outcome, Done done);
+
+  FindVolume find_volume_;
+  boost::asio::thread_pool encoders_;
+  std::unique_ptr<RenderThread> renderer_;
+  std::unique_ptr<LargeStills> large_stills_;  ///< of the renderer, and gone before it
+};
+
+}  // namespace cutaway
