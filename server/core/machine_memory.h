@@ -6,7 +6,8 @@
 
 namespace cutaway {
 
-/// The machine's physical memory, or what this process' container may have of it.
+/// The machine's physical memory, or what the control groups of this process (its container, its
+/// service) may have of it.
 std::uint64_t machine_memory_bytes();
 
 /// "1.5 GiB".
