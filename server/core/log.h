@@ -1,4 +1,4 @@
-// The process's log: standard error, one line an event.
+// The process's log: standard error, one line an event. It never waits for whoever reads it.
 #pragma once
 
 #include <spdlog/spdlog.h>

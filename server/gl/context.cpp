@@ -2,12 +2,16 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <array>
+#include <thread>
 
 #include "core/error.h"
 #include "core/log.h"
+#include "core/threads.h"
 #include "gl/context_display.h"
 #include "gl/debug_output.h"
+#include "gl/driver_faults.h"
 
 namespace cutaway::gl {
 
@@ -50,6 +54,15 @@ bool names_software(const std::string& renderer) {
   return false;
 }
 
+/// Mesa's software renderer has two pools, of a thread a core each up to 32, and some more threads
+/// for its cache of programs.
+int most_driver_threads() {
+  constexpr int kLargestPool = 32;
+  constexpr int kOthers = 4;
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  return 2 * std::clamp(cores, 1, kLargestPool) + kOthers;
+}
+
 std::string gl_string(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
 
 }  // namespace
@@ -69,6 +82,8 @@ Context::~Context() {
 bool Context::is_lost() const { return glGetGraphicsResetStatus() != GL_NO_ERROR; }
 
 std::unique_ptr<Context> Context::create(const ContextOptions& options) {
+  require_threads(most_driver_threads());
+  work_around_driver_faults();
   std::string tried;
   for (const DisplayCandidate& candidate : find_display_candidates()) {
     if (eglInitialize(candidate.display, nullptr, nullptr) != EGL_TRUE) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/machine_memory.h"
+#include "core/threads.h"
 #include "render/render_worker.h"
 
 namespace cutaway {
@@ -21,7 +22,7 @@ void replace(std::optional<RenderJob> job) {
 RenderThread::RenderThread(const gl::ContextOptions& options, const RenderLimits& limits) {
   std::promise<RendererInfo> ready;
   auto info = ready.get_future();
-  thread_ = std::jthread([this, options, limits, &ready](const std::stop_token& stop) {
+  thread_ = start_thread([this, options, limits, &ready](const std::stop_token& stop) {
     std::unique_ptr<gl::Context> context;
     std::unique_ptr<RenderWorker> worker;
     RenderLimits in_force;

@@ -1,6 +1,5 @@
 #include "services/frame_service.h"
 
-#include <boost/asio/post.hpp>
 #include <chrono>
 #include <cmath>
 
@@ -92,7 +91,7 @@ void hand_over(const RenderOutcome& outcome, const std::function<void(FrameOutco
 
 FrameService::FrameService(const RendererSettings& settings, FindVolume find_volume)
     : find_volume_(std::move(find_volume)),
-      encoders_(static_cast<std::size_t>(settings.encode_threads)),
+      encoders_(settings.encode_threads),
       renderer_(std::make_unique<RenderThread>(
           gl::ContextOptions{.require_gpu = settings.require_gpu}, settings.limits)),
       large_stills_(std::make_unique<LargeStills>(*renderer_)) {}
@@ -101,7 +100,7 @@ FrameService::~FrameService() {
   // The renderer first: what it still had waiting ends on the encoders' pool.
   large_stills_.reset();
   renderer_.reset();
-  encoders_.join();
+  encoders_.finish();
 }
 
 RenderRequest FrameService::render_request(const FrameRequest& request) const {
@@ -131,9 +130,8 @@ void FrameService::submit(FrameRequest request, Done done) {
 
 // Posted, since a newer request may be replacing this one inside its own submit.
 void FrameService::end(RenderOutcome outcome, Done done) {
-  boost::asio::post(encoders_, [outcome = std::move(outcome), done = std::move(done)] {
-    hand_over(outcome, done);
-  });
+  encoders_.post(
+      [outcome = std::move(outcome), done = std::move(done)] { hand_over(outcome, done); });
 }
 
 bool FrameService::renew(const FrameRequest& request) {

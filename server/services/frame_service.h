@@ -1,10 +1,10 @@
 // Where sessions' frames come from: the render thread, then a pool that compresses.
 #pragma once
 
-#include <boost/asio/thread_pool.hpp>
 #include <functional>
 #include <memory>
 
+#include "core/worker_pool.h"
 #include "render/render_thread.h"
 #include "services/large_stills.h"
 #include "services/settings.h"
@@ -40,7 +40,7 @@ class FrameService : public FrameSource {
   void end(RenderOutcome outcome, Done done);
 
   FindVolume find_volume_;
-  boost::asio::thread_pool encoders_;
+  WorkerPool encoders_;
   std::unique_ptr<RenderThread> renderer_;
   std::unique_ptr<LargeStills> large_stills_;  ///< of the renderer, and gone before it
 };

@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "core/threads.h"
 #include "services/picture_tiles.h"
 
 namespace cutaway {
@@ -26,7 +27,8 @@ Error no_memory() {
 }  // namespace
 
 LargeStills::LargeStills(RenderThread& renderer)
-    : renderer_(renderer), thread_([this](const std::stop_token& stop) { serve(stop); }) {}
+    : renderer_(renderer),
+      thread_(start_thread([this](const std::stop_token& stop) { serve(stop); })) {}
 
 LargeStills::~LargeStills() {
   thread_.request_stop();

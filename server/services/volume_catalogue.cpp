@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/log.h"
+#include "core/threads.h"
 #include "scene/scene_json.h"
 #include "services/client_words.h"
 #include "services/named_path.h"
@@ -53,7 +54,7 @@ VolumeCatalogue::VolumeCatalogue(const VolumeSettings& settings, std::function<v
   for (const PhantomKind kind : {PhantomKind::head, PhantomKind::abdomen, PhantomKind::knees}) {
     phantoms_.push_back(phantom_entry({.kind = kind}));
   }
-  scanner_ = std::jthread([this](const std::stop_token& stop) { scan_all(stop); });
+  scanner_ = start_thread([this](const std::stop_token& stop) { scan_all(stop); });
 }
 
 Json VolumeCatalogue::listing() const {

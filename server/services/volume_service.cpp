@@ -1,6 +1,5 @@
 #include "services/volume_service.h"
 
-#include <boost/asio/post.hpp>
 #include <utility>
 
 #include "core/log.h"
@@ -81,14 +80,12 @@ class LoadTicket final : public OpenTicket {
 VolumeService::VolumeService(const VolumeSettings& settings, UploadTarget target)
     : target_(std::move(target)),
       cache_(memory_limit(settings)),
-      pool_(static_cast<std::size_t>(settings.load_threads)),
+      pool_(settings.load_threads),
       catalogue_(settings, [this] { listing_changed(); }) {}
 
 VolumeService::~VolumeService() {
   pool_.stop();
   preview_pool_.stop();
-  pool_.join();
-  preview_pool_.join();
 }
 
 std::unique_ptr<OpenTicket> VolumeService::watch(std::function<void()> changed) {
@@ -131,7 +128,7 @@ std::unique_ptr<OpenTicket> VolumeService::open_for_preview(const std::string& i
 // A job that waits behind others for a preview is begun at once when someone wants to see it.
 std::unique_ptr<OpenTicket> VolumeService::join(const std::string& id,
                                                 std::shared_ptr<LoadWaiter> waiter,
-                                                boost::asio::thread_pool& pool) {
+                                                WorkerPool& pool) {
   const std::lock_guard lock(mutex_);
   std::shared_ptr<LoadJob>& job = jobs_[id];
   const bool is_new = job == nullptr;
@@ -141,8 +138,8 @@ std::unique_ptr<OpenTicket> VolumeService::join(const std::string& id,
   return std::make_unique<LoadTicket>(*this, job, std::move(waiter));
 }
 
-void VolumeService::begin(const std::shared_ptr<LoadJob>& job, boost::asio::thread_pool& pool) {
-  boost::asio::post(pool, [this, job] {
+void VolumeService::begin(const std::shared_ptr<LoadJob>& job, WorkerPool& pool) {
+  pool.post([this, job] {
     if (job->claim()) load(job);
   });
 }

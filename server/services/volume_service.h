@@ -1,13 +1,13 @@
 // The server's volumes: lists them, loads them, shares and keeps what is loaded.
 #pragma once
 
-#include <boost/asio/thread_pool.hpp>
 #include <list>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 
+#include "core/worker_pool.h"
 #include "services/settings.h"
 #include "services/upload_target.h"
 #include "services/volume_cache.h"
@@ -48,8 +48,8 @@ class VolumeService final : public VolumeLibrary {
 
   void listing_changed() noexcept;
   std::unique_ptr<OpenTicket> join(const std::string& id, std::shared_ptr<LoadWaiter> waiter,
-                                   boost::asio::thread_pool& pool);
-  void begin(const std::shared_ptr<LoadJob>& job, boost::asio::thread_pool& pool);
+                                   WorkerPool& pool);
+  void begin(const std::shared_ptr<LoadJob>& job, WorkerPool& pool);
   void load(const std::shared_ptr<LoadJob>& job);
   /// Where the volume lies; nothing where the job is put by until the listing has changed.
   std::optional<CatalogueEntry> find(const std::shared_ptr<LoadJob>& job);
@@ -67,9 +67,9 @@ class VolumeService final : public VolumeLibrary {
   std::map<std::string, std::shared_ptr<LoadJob>> jobs_;
   std::list<std::shared_ptr<LoadJob>> put_by_;  ///< of volumes that the scan has not found yet
   std::list<std::weak_ptr<ListingWatch>> watches_;
-  boost::asio::thread_pool pool_;
-  boost::asio::thread_pool preview_pool_{1};  ///< one at a time, whoever wants them
-  VolumeCatalogue catalogue_;                 ///< last: its thread calls listing_changed
+  WorkerPool pool_;
+  WorkerPool preview_pool_{1};  ///< one at a time, whoever wants them
+  VolumeCatalogue catalogue_;   ///< last: its thread calls listing_changed
 };
 
 }  // namespace cutaway
