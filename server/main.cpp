@@ -5,8 +5,10 @@
 
 #include "app/commands.h"
 #include "core/printable.h"
+#include "core/process.h"
 
 int main(int argc, char** argv) {
+  cutaway::keep_standard_streams();
   CLI::App app(
       "Renders medical volumes as focus and context illustrations. Not for diagnostic use.",
       "cutaway");

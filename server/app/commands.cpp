@@ -8,6 +8,7 @@
 #include "app/render_command.h"
 #include "app/serve_options.h"
 #include "app/terminal_progress.h"
+#include "core/process.h"
 #include "render/render_settings.h"
 
 #ifdef CUTAWAY_IMPORT
@@ -53,7 +54,10 @@ void add_render(CLI::App& app) {
       ->check(CLI::Range(1, kMostSupersampling))
       ->capture_default_str();
   render->add_flag("--require-gpu", command->require_gpu, "Refuse software rendering");
-  render->callback([command] { run_render(*command); });
+  render->callback([command] {
+    forbid_core_dumps();
+    run_render(*command);
+  });
 }
 
 InfoReaders file_readers() {
@@ -77,6 +81,7 @@ void add_info(CLI::App& app) {
       ->check(named);
   info->add_flag("--json", request->as_json, "One JSON object");
   info->callback([request] {
+    forbid_core_dumps();
     const int status = run_info(*request, file_readers(), std::cout, std::cerr);
     if (status != 0) throw CLI::RuntimeError(status);
   });

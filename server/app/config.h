@@ -16,6 +16,7 @@ struct Config {
   SessionSettings session;
   VolumeSettings volumes;
   RendererSettings renderer;
+  bool core_dumps = false;
   std::string notice = "Not for diagnostic use.";
   std::string log_level = "info";
   bool operator==(const Config&) const = default;

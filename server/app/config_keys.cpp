@@ -157,6 +157,8 @@ std::vector<ConfigKey> other_keys() {
        integer(
            1, 64, [](Config & c) -> auto& { return c.renderer.encode_threads; })},
       {"log", "level", TextKey{set_log_level}},
+      {"process", "core_dumps",
+       plain<BooleanKey>([](Config & c) -> auto& { return c.core_dumps; })},
   };
 }
 

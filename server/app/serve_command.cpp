@@ -9,6 +9,7 @@
 
 #include "core/log.h"
 #include "core/machine_memory.h"
+#include "core/process.h"
 #include "net/server.h"
 #include "scene/json_text.h"
 #include "scene/server_message.h"
@@ -38,7 +39,7 @@ class Serving {
   explicit Serving(const Config& config);
 
   std::string url() const { return server_.url(); }
-  void run() { server_.run(); }
+  void run(const std::function<void()>& on_ready) { server_.run(on_ready); }
 
  private:
   Server::Hooks hooks();
@@ -163,6 +164,8 @@ fs::path find_web_root(const fs::path& configured) {
 
 void run_serve(const Config& config) {
   log().set_level(spdlog::level::from_str(config.log_level));
+  survive_stray_signals();
+  if (!config.core_dumps) forbid_core_dumps();
   check_data(config.volumes.data);
   Config complete = config;
   complete.net.web_root = find_web_root(config.net.web_root);
@@ -170,9 +173,10 @@ void run_serve(const Config& config) {
   if (complete.net.web_root.empty()) {
     log().warn("the web client is not built: only the API is served");
   }
-  std::printf("Cutaway is at %s\n", serving.url().c_str());
-  std::fflush(stdout);
-  serving.run();
+  serving.run([&serving] {
+    std::printf("Cutaway is at %s\n", serving.url().c_str());
+    std::fflush(stdout);
+  });
 }
 
 }  // namespace cutaway

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/log.h"
+#include "core/threads.h"
 #include "net/http_connection.h"
 
 namespace cutaway {
@@ -53,11 +54,12 @@ class Server::Impl {
   Impl(const NetSettings& settings, Hooks hooks);
 
   std::string url() const;
-  void run();
+  void run(const std::function<void()>& on_ready);
   void stop();
 
  private:
   void listen();
+  void watch_signals();
   asio::awaitable<void> accept_all();
   void work() noexcept;
   void begin_connection(tcp::socket&& socket, const AsioStrand::Executor& strand);
@@ -82,11 +84,6 @@ Server::Impl::Impl(const NetSettings& settings, Hooks hooks)
                    std::move(hooks.sources)),
                .make_session = std::move(hooks.make_session)} {
   listen();
-  signals_.add(SIGINT);
-  signals_.add(SIGTERM);
-  signals_.async_wait([this](const error_code& error, int) {
-    if (!error) end_all();
-  });
   asio::co_spawn(
       strand_, [this] { return accept_all(); }, asio::detached);
 }
@@ -109,12 +106,26 @@ std::string Server::Impl::url() const {
   return text.str();
 }
 
-void Server::Impl::run() {
+void Server::Impl::run(const std::function<void()>& on_ready) {
+  watch_signals();
   std::vector<std::jthread> threads;
-  for (int i = 1; i < context_.settings.io_threads; ++i) {
-    threads.emplace_back([this] { work(); });
+  try {
+    for (int i = 1; i < context_.settings.io_threads; ++i) {
+      threads.push_back(start_thread([this](const std::stop_token&) { work(); }));
+    }
+  } catch (...) {
+    io_.stop();  // those that were started are waited for
+    throw;
   }
+  if (on_ready) on_ready();
   work();
+}
+
+void Server::Impl::watch_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGQUIT}) signals_.add(signal);
+  signals_.async_wait([this](const error_code& error, int) {
+    if (!error) end_all();
+  });
 }
 
 // What a handler lets out ends that handler alone.
@@ -174,7 +185,7 @@ void Server::Impl::end_all() {
   log().info("stopping");
   error_code ignored;
   acceptor_.close(ignored);
-  signals_.cancel(ignored);
+  signals_.clear(ignored);  // the next does what signals do by themselves
   accept_pause_.cancel();
   connections_.for_each([](const auto& connection) { connection->close(); });
   stop_deadline_.expires_after(context_.settings.stop_timeout);
@@ -195,7 +206,7 @@ Server::Server(const NetSettings& settings, Hooks hooks)
 Server::~Server() = default;
 
 std::string Server::url() const { return impl_->url(); }
-void Server::run() { impl_->run(); }
+void Server::run(const std::function<void()>& on_ready) { impl_->run(on_ready); }
 void Server::stop() { impl_->stop(); }
 
 }  // namespace cutaway

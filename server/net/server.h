@@ -1,6 +1,7 @@
 // The listener and its threads: HTTP and WebSocket on one port.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -27,9 +28,11 @@ class Server {
   /// "http://127.0.0.1:8080/", with the port that was got.
   std::string url() const;
 
-  /// Serves on the calling thread and the others of the settings until stop is called or SIGINT or
-  /// SIGTERM comes; when it returns, every session has ended.
-  void run();
+  /// Serves on the calling thread and the others of the settings until stop is called or SIGINT,
+  /// SIGTERM or SIGQUIT comes, a second of which ends the process at once; when it returns, every
+  /// session has ended. `on_ready` is called when all of that stands. Throws Error where so many
+  /// threads cannot be had.
+  void run(const std::function<void()>& on_ready = {});
   /// Closes every session with "going away", and what has not ended by the stop timeout at once.
   /// Any thread.
   void stop();

@@ -12,6 +12,7 @@ import sys
 import tempfile
 import unittest
 
+from png import png_pixels
 from wire import png_size
 
 BINARY = None
@@ -186,6 +187,19 @@ class RenderTest(CommandLineTest):
         style = self.file("style.json", json.dumps({"name": "plain", "title": "Plain", "description": "", "scene": {}}))
         status, _, errors = run("render", style, "-o", self.picture, "--volume", SMALL, "--size", "20x20")
         self.assertEqual((status, errors), (OK, ""))
+
+    def test_vectors_of_any_width_draw_the_same_picture(self):
+        def drawn(**environment):
+            command = [BINARY, "render", self.scene(), "-o", self.picture, "--size", "160x120"]
+            done = subprocess.run(command, env={**os.environ, **environment}, capture_output=True, timeout=300)
+            self.assertEqual(done.returncode, OK, (environment, done.stderr))
+            return png_pixels(self.picture.read_bytes())
+
+        usual = drawn()
+        for bits in ("0", "128", "256"):
+            pixels = drawn(LP_NATIVE_VECTOR_WIDTH=bits)
+            difference = sum(abs(a - b) for pair in zip(usual, pixels, strict=True) for a, b in zip(*pair))
+            self.assertLess(difference / len(usual) / 3, 0.5, f"{bits} bits")  # of 255: the last bit here and there
 
     def test_a_scene_that_cannot_be_read_is_said_in_one_line(self):
         deep = self.file("deep.json", "[" * 500_000)

@@ -291,14 +291,14 @@ class Client:
 
 
 class Server:
-    """`cutaway serve` on a free port."""
+    """`cutaway serve` on a free port; `process`: of subprocess.Popen."""
 
-    def __init__(self, binary, *arguments):
+    def __init__(self, binary, *arguments, **process):
         self.log = tempfile.TemporaryFile(mode="w+")
         self.process = subprocess.Popen(
             [binary, "serve", "--listen", "127.0.0.1:0", *arguments],
-            stdout=subprocess.PIPE, stderr=self.log, text=True,
-        )  # fmt: skip
+            **{"stdout": subprocess.PIPE, "stderr": self.log, "text": True, **process},
+        )
         for line in self.process.stdout:
             found = re.fullmatch(r"Cutaway is at http://127\.0\.0\.1:(\d+)/\n", line)
             if found:
@@ -318,6 +318,13 @@ class Server:
     def output(self):
         self.log.seek(0)
         return self.log.read()
+
+    def await_words(self, words):
+        """Returns once the log has them."""
+        deadline = time.monotonic() + GENEROUS_S
+        while words not in self.output():
+            assert time.monotonic() < deadline, f"'{words}' was not logged:\n{self.output()}"
+            time.sleep(0.01)
 
     def stop(self):
         if self.process.poll() is None:

@@ -59,6 +59,31 @@ class FileActions {
   posix_spawn_file_actions_t actions_{};
 };
 
+/// The child's signals do what they do by themselves, whatever this process ignores, and none that
+/// a terminal sends to all who hang on it reaches the child: its end is for us to say.
+class Attributes {
+ public:
+  Attributes() {
+    sigset_t signals;
+    sigfillset(&signals);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setsigdefault(&attributes_, &signals);
+    sigemptyset(&signals);
+    posix_spawnattr_setsigmask(&attributes_, &signals);
+    posix_spawnattr_setpgroup(&attributes_, 0);
+    posix_spawnattr_setflags(
+        &attributes_, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+  }
+  ~Attributes() { posix_spawnattr_destroy(&attributes_); }
+  Attributes(const Attributes&) = delete;
+  Attributes& operator=(const Attributes&) = delete;
+
+  const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_{};
+};
+
 void set_limit(pid_t pid, __rlimit_resource resource, rlim_t value, rlim_t hard_excess = 0) {
   const rlimit limit{value, value + hard_excess};
   prlimit(pid, resource, &limit, nullptr);
@@ -105,8 +130,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const Descri
   arguments.reserve(command.size() + 1);
   for (const auto& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
-  const int error =
-      posix_spawn(&pid_, arguments[0], actions.get(), nullptr, arguments.data(), environ);
+  const int error = posix_spawn(&pid_, arguments[0], actions.get(), Attributes().get(),
+                                arguments.data(), environ);
   if (error != 0) {
     pid_ = -1;
     fail("the reader's process cannot be started", error);

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <span>
 
+#include "core/process.h"
 #include "import/isolation/worker_protocol.h"
 #include "import/scan.h"
 
@@ -28,6 +29,7 @@ void keep_harmless() {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   std::ofstream("/proc/self/oom_score_adj") << 1000;
+  forbid_core_dumps();  // last: of such a process that file is root's
 }
 
 void write_all(int descriptor, std::span<const std::byte> bytes) {
