@@ -5,32 +5,31 @@ import sys
 import time
 
 import data_sets
+import extent
 import gallery
 import performance
 import report
 import saliency_study
 from studio import Studio
 
-PHANTOMS = ("phantom:head", "phantom:abdomen", "phantom:knees")
-# Five at least give the test over data sets a chance (p >= 2^-5); more fit the time of two cores.
-MOST_STUDIED = 7
-
 
 def main():
     arguments = parse_arguments()
     arguments.outdir.mkdir(parents=True, exist_ok=True)
     begun = time.monotonic()
-    volumes = volumes_to_show(arguments)
+    wanted = extent.QUICK if arguments.quick else extent.FULL
+    volumes = volumes_to_show(arguments, wanted)
     with Studio(arguments.build / "cutaway", arguments.data) as studio:
         studio.wait_for(volumes)
-        sheets = gallery.make(studio, volumes, arguments.outdir, progress)
-        study = saliency_study.make(studio, volumes, MOST_STUDIED, arguments.outdir, progress)
+        sheets = gallery.make(studio, volumes, wanted, arguments.outdir, progress)
+        study = saliency_study.make(studio, volumes, wanted, arguments.outdir, progress)
         renderer = studio.renderer
     report.write_figures(arguments.outdir, study)
     progress(f"saliency: {study.verdict.outcome}")
-    table = performance.make(arguments.build / "cutaway-benchmark", arguments.outdir, progress)
+    benchmark = arguments.build / "cutaway-benchmark"
+    table = performance.make(benchmark, wanted.benchmark, arguments.outdir, progress)
     minutes = (time.monotonic() - begun) / 60
-    written = report.write(arguments.outdir, renderer, sheets, study, table, minutes)
+    written = report.write(arguments.outdir, renderer, sheets, study, table, minutes, wanted)
     print(f"{study.verdict.text}\n\nThe report is {written} ({minutes:.1f} minutes).")
 
 
@@ -38,7 +37,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(prog="tests/evaluation/run", description=__doc__)
     parser.add_argument("outdir", type=pathlib.Path, metavar="OUTDIR")
     parser.add_argument("--data", type=pathlib.Path, help="folder whose CTs are shown as well")
-    parser.add_argument("--quick", action="store_true", help="one phantom only: a trial")
+    parser.add_argument("--quick", action="store_true", help="all parts, little of each: a trial")
     parser.add_argument("--build", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     if arguments.data is not None and not arguments.data.is_dir():
@@ -46,15 +45,13 @@ def parse_arguments():
     return arguments
 
 
-def volumes_to_show(arguments):
-    if arguments.quick:
-        return list(PHANTOMS[:1])
-    if arguments.data is None:
-        return list(PHANTOMS)
+def volumes_to_show(arguments, wanted):
+    if arguments.quick or arguments.data is None:
+        return list(wanted.phantoms)
     progress(f"reading {arguments.data}")
     found, others = data_sets.cts(arguments.build / "cutaway", arguments.data)
     progress(f"CTs: {', '.join(found) or 'none'}; not CTs: {', '.join(others) or 'none'}")
-    return [*PHANTOMS, *found]
+    return [*wanted.phantoms, *found]
 
 
 def progress(what):

@@ -5,8 +5,6 @@ import saliency
 from figures import FIGURES, Figure
 from sheets import sheet
 
-WIDTH_PX, HEIGHT_PX = 400, 360
-
 
 @dataclass(frozen=True)
 class GallerySheet:
@@ -14,14 +12,16 @@ class GallerySheet:
     file: str
 
 
-def make(studio, volumes, outdir, progress):
+def make(studio, volumes, extent, outdir, progress):
     """Draws every figure; volume by volume, so that each is opened once."""
     rows = {figure.name: [] for figure in FIGURES}
     for volume in volumes:
         progress(f"gallery: {volume}")
         start = studio.open(volume)
         for figure in FIGURES:
-            rows[figure.name].append([_picture(studio, start, *c[1:]) for c in figure.columns])
+            rows[figure.name].append(
+                [_picture(studio, start, *c[1:], extent.sheet_px) for c in figure.columns]
+            )
     made = []
     for figure in FIGURES:
         file = f"figure-{figure.name}.png"
@@ -31,9 +31,9 @@ def make(studio, volumes, outdir, progress):
     return made
 
 
-def _picture(studio, start, style, changes):
+def _picture(studio, start, style, changes, size_px):
     """The volume's first look, in another style."""
     studio.change({**start, **studio.styles[style]})
     studio.change({"lens": {k: start["lens"][k] for k in ("centre_mm", "radius_mm")}})
     studio.change(changes)
-    return studio.picture(WIDTH_PX, HEIGHT_PX)
+    return studio.picture(*size_px)

@@ -1,5 +1,4 @@
 """How a unit of the experiment is drawn: the conditions' looks on one scene, at one size."""
-SIDE_PX = 768
 BLACK = [0, 0, 0]
 GREY = [128 / 255] * 3
 
@@ -15,7 +14,7 @@ def looks(studio):
     }
 
 
-def picture(studio, scene, look, side_px=SIDE_PX, background=GREY):
+def picture(studio, scene, look, side_px, background=GREY):
     """scene: camera, and the lens' centre and radius."""
     lens = {**look["lens"], **scene["lens"]}
     shown = {"camera": scene["camera"], "lens": lens, "background": {"colour": background}}
@@ -23,7 +22,7 @@ def picture(studio, scene, look, side_px=SIDE_PX, background=GREY):
     return studio.picture(side_px, side_px)
 
 
-def focus_mask(studio, scene, side_px=SIDE_PX):
+def focus_mask(studio, scene, side_px):
     """Where the cutaway shows the focus: bool (height, width)."""
     lens = {"mode": "cutaway", "cap": "flat"}
     white_on_black = {"focus": _flat(1.0), "context": _flat(0.0), "lens": lens}

@@ -5,13 +5,15 @@ from dataclasses import dataclass
 
 import acceptance
 
-SIZE = "512x512"
-EDGE_VOXELS = 256  # of the phantoms in the table
-SMALL_EDGE_VOXELS = 128  # of those that show whether the filters' cost depends on the volume
-LEAST_FRAMES = 200
-# Half of it is for the stages, whose medians need some dozen frames.
-SECONDS_A_CASE = 4
 # Frames per second as the dissertation states them; its hardware, resolution and volumes are not.
+# The benchmark's other cases are not the dissertation's.
+CASES = (
+    acceptance.CONTROL,
+    acceptance.LENS,
+    "lens + Kuwahara",
+    "lens + Sobel",
+    acceptance.BOTH_FILTERS,
+)
 STATED_FPS = {
     "phantom:head": (22, 18, 15, 17, 15),
     "phantom:knees": (15, 13, 12, 11, 10),
@@ -44,39 +46,36 @@ class Table:
     criteria: list
 
 
-def make(benchmark, outdir, progress):
-    """Runs the benchmark at one size; keeps its figures as performance.json."""
-    measured = _measure(benchmark, outdir / "performance.json", EDGE_VOXELS, [], progress)
+def make(benchmark, extent, outdir, progress):
+    """Runs the benchmark at one size; keeps its figures as performance.json. extent: Benchmark."""
+    measured = _measure(
+        benchmark, extent, outdir / "performance.json", extent.edge_voxels, CASES, progress
+    )
     small = _measure(
         benchmark,
+        extent,
         outdir / "performance-small.json",
-        SMALL_EDGE_VOXELS,
-        ["--cases", acceptance.BOTH_FILTERS],
+        extent.small_edge_voxels,
+        [acceptance.BOTH_FILTERS],
         progress,
     )
-    rows = {
-        volume: _row(_frames_of(measured, volume), stated) for volume, stated in STATED_FPS.items()
+    rows = {volume: _row(measured, volume) for volume in extent.phantoms}
+    small_stages = {
+        volume: _frames_of(small, volume, acceptance.BOTH_FILTERS)["stages_ms"]
+        for volume in extent.phantoms
     }
-    small_stages = {volume: _frames_of(small, volume)[0]["stages_ms"] for volume in STATED_FPS}
-    criteria = acceptance.judge(rows, small_stages, LEAST_FRAMES)
-    return Table(measured["machine"], SIZE, EDGE_VOXELS, rows, criteria)
+    criteria = acceptance.judge(rows, small_stages, extent.least_frames)
+    return Table(measured["machine"], extent.size, extent.edge_voxels, rows, criteria)
 
 
-def _measure(benchmark, file, edge_voxels, options, progress):
+def _measure(benchmark, extent, file, edge_voxels, cases, progress):
     progress(f"performance: phantoms of {edge_voxels} voxels an edge")
     # Line by line, so that progress shows while it runs and not when it is over.
-    command = [
-        "stdbuf",
-        "-oL",
-        benchmark,
-        "--sizes",
-        SIZE,
-        "--phantom-size",
-        edge_voxels,
-        "--json",
-        file,
-    ]
-    command += ["--least-frames", LEAST_FRAMES, "--seconds", SECONDS_A_CASE, *options]
+    command = ["stdbuf", "-oL", benchmark]
+    command += ["--sizes", extent.size, "--phantom-size", edge_voxels]
+    command += ["--volumes", *extent.phantoms, "--cases", *cases]
+    command += ["--least-frames", extent.least_frames, "--seconds", extent.seconds_a_case]
+    command += ["--json", file]
     with subprocess.Popen([str(c) for c in command], stdout=subprocess.PIPE, text=True) as running:
         for line in running.stdout:
             if line.strip():
@@ -86,12 +85,18 @@ def _measure(benchmark, file, edge_voxels, options, progress):
     return json.loads(file.read_text())
 
 
-def _frames_of(measured, volume):
-    """A phantom's id names its size, behind an @, where that is not the usual one."""
-    return [f for f in measured["frames"] if f["volume"].split("@")[0] == volume]
+def _frames_of(measured, volume, case):
+    """A phantom's id names its size, behind an @, where that is not the usual one. LookupError for
+    a case that was not measured."""
+    for frames in measured["frames"]:
+        if frames["volume"].split("@")[0] == volume and frames["case"] == case:
+            return frames
+    told = ", ".join(sorted({f"{f['volume']}: {f['case']}" for f in measured["frames"]}))
+    raise LookupError(f"the benchmark measured no case '{case}' of {volume}; it measured {told}")
 
 
-def _row(frames, stated):
+def _row(measured, volume):
+    frames = [_frames_of(measured, volume, case) for case in CASES]
     return [
         Cell(
             f["case"],
@@ -102,5 +107,5 @@ def _row(frames, stated):
             f["stages_ms"],
             fps,
         )
-        for f, fps in zip(frames, stated, strict=True)
+        for f, fps in zip(frames, STATED_FPS[volume], strict=True)
     ]

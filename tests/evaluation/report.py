@@ -15,12 +15,13 @@ small { color: #666 }
 """
 
 
-def write(outdir, renderer, sheets, study, table, minutes):
+def write(outdir, renderer, sheets, study, table, minutes, extent):
     """Writes report.html; returns its path."""
     body = "\n".join(
         [
             "<h1>Evaluation of focus + context illustration</h1>",
             f"<p>Renderer: {escape(renderer)}. Made in {minutes:.1f} minutes. Not for diagnostic use.</p>",
+            *_extent(extent),
             *_gallery(sheets),
             *saliency_study(study),
             *performance(table),
@@ -32,6 +33,15 @@ def write(outdir, renderer, sheets, study, table, minutes):
         f"<body>{body}</body></html>"
     )
     return page
+
+
+def _extent(extent):
+    if extent.is_quick:
+        yield (
+            '<p class="verdict"><b>The quick form</b>, which shows that every part works: one small '
+            f"phantom, {extent.units} units, small pictures, few frames. None of its figures is a "
+            "claim.</p>"
+        )
 
 
 def write_figures(outdir, study):

@@ -8,7 +8,7 @@ import controls
 import saliency
 import units
 from looks import focus_mask, looks, picture
-from saliency.experiment import CONDITIONS, UNITS_PER_DATA_SET
+from saliency.experiment import CONDITIONS
 from sheets import sheet
 
 
@@ -43,13 +43,12 @@ class Examination:
     sheet_file: str | None
 
 
-def make(studio, volumes, most, outdir, progress):
-    """Studies up to `most` volumes in the order given; one with too few units only where the others
-    do not suffice."""
-    chosen = _Choice(studio, volumes, most, progress)
-    examined = list(
-        _overlapped(lambda drawn: _examine(drawn, outdir), _draw(studio, chosen, progress))
-    )
+def make(studio, volumes, extent, outdir, progress):
+    """Studies up to `extent.most_studied` volumes in the order given; one with too few units only
+    where the others do not suffice."""
+    chosen = _Choice(studio, volumes, extent, progress)
+    drawn = _draw(studio, chosen, extent.study_px, progress)
+    examined = list(_overlapped(lambda one: _examine(one, outdir), drawn))
     results = saliency.analyse([o for e in examined for o in e.observations])
     readings = [e.readings for e in examined]
     requirements = controls.requirements(readings, [e.volume for e in examined])
@@ -66,8 +65,9 @@ def make(studio, volumes, most, outdir, progress):
 class _Choice:
     """Iterates over (volume, units), the volume open."""
 
-    def __init__(self, studio, volumes, most, progress):
-        self._studio, self._volumes, self._most, self._progress = studio, volumes, most, progress
+    def __init__(self, studio, volumes, extent, progress):
+        self._studio, self._volumes, self._progress = studio, volumes, progress
+        self._most, self._units = extent.most_studied, extent.units
         self.passed_over = []
 
     def __iter__(self):
@@ -75,9 +75,9 @@ class _Choice:
         for volume in self._volumes:
             if taken == self._most:
                 return
-            found = units.find(self._studio, self._studio.open(volume))
+            found = units.find(self._studio, self._studio.open(volume), self._units)
             self._progress(f"saliency: {volume}, {len(found)} units")
-            if len(found) < UNITS_PER_DATA_SET:
+            if len(found) < self._units:
                 self.passed_over.append((volume, found))
                 continue
             taken += 1
@@ -94,11 +94,13 @@ class _Choice:
             yield volume, found
 
 
-def _draw(studio, chosen, progress):
+def _draw(studio, chosen, side_px, progress):
     for volume, found in chosen:
         for number, unit in enumerate(found, 1):
-            focus = focus_mask(studio, unit.scene)
-            pictures = {c: picture(studio, unit.scene, look) for c, look in looks(studio).items()}
+            focus = focus_mask(studio, unit.scene, side_px)
+            pictures = {
+                c: picture(studio, unit.scene, look, side_px) for c, look in looks(studio).items()
+            }
             progress(f"saliency: {volume}, unit {number} of {len(found)}")
             yield Drawn(volume, unit.name, pictures, focus, number == 1)
 

@@ -53,16 +53,17 @@ class Studio:
         self._config.close()
 
     def wait_for(self, volumes):
-        """Returns once the server lists all of them."""
+        """Returns once the server lists all of them that are files."""
+        files = [volume for volume in volumes if not volume.startswith("phantom:")]
 
         def lists_all(message):
             listed = {entry["id"] for entry in message["volumes"]}
-            return listed.issuperset(volumes)
+            return listed.issuperset(files)
 
         if not lists_all(self._listing):
             self._await(
                 lambda m: isinstance(m, dict) and m["type"] == "volumes" and lists_all(m),
-                f"a listing of {', '.join(volumes)}",
+                f"a listing of {', '.join(files)}",
             )
 
     def open(self, volume):

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy
 
 from looks import focus_mask
-from saliency.experiment import UNITS_PER_DATA_SET
 
 # Later ones are tried only where earlier ones give too few units.
 AZIMUTHS_DEGREES = (0, -40, 40, 75, -75, 20, -20)
@@ -27,13 +26,13 @@ class Unit:
     scene: dict
 
 
-def find(studio, start):
-    """Units of the open volume, UNITS_PER_DATA_SET where so many are found. start: its scene as
+def find(studio, start, wanted):
+    """Units of the open volume, so many as are wanted where so many are found. start: its scene as
     resolved on opening."""
     found = []
     for azimuth in AZIMUTHS_DEGREES:
-        wanted = min(LENSES_A_CAMERA, UNITS_PER_DATA_SET - len(found))
-        found += _of_camera(studio, start, azimuth, wanted)
+        missing = min(LENSES_A_CAMERA, wanted - len(found))
+        found += _of_camera(studio, start, azimuth, missing)
     return found
 
 

@@ -3,6 +3,7 @@ import math
 import unittest
 
 import controls
+import extent
 import report
 from report_saliency import saliency_study as page
 from saliency import PRIMARY, SECOND_OPINION, analyse, judge
@@ -46,6 +47,10 @@ class Page(unittest.TestCase):
 
     def test_a_focus_that_can_never_be_moved_leaves_a_page(self):
         self.assertIn("no unit tells", "".join(page(study(unmovable=range(36)))))
+
+    def test_only_the_quick_form_says_that_it_is_one(self):
+        self.assertIn("The quick form", "".join(report._extent(extent.QUICK)))
+        self.assertEqual("".join(report._extent(extent.FULL)), "")
 
     def test_the_figures_are_plain_values(self):
         plain = json.loads(json.dumps(report._plain(study())))

@@ -1,8 +1,10 @@
 import unittest
+from dataclasses import replace
 from unittest.mock import patch
 
 import numpy
 
+import extent
 import saliency_study
 import units
 
@@ -37,7 +39,7 @@ def fake_focus_mask(studio, scene, side_px):
 
 def find(shows):
     studio = FakeStudio(lambda volume, camera, place: shows(camera, place))
-    return studio, units.find(studio, START)
+    return studio, units.find(studio, START, 12)
 
 
 @patch("units.focus_mask", fake_focus_mask)
@@ -76,7 +78,9 @@ class Choice(unittest.TestCase):
         studio = FakeStudio(
             lambda volume, camera, place: volume not in few or place == units.LENS_PLACES[0]
         )
-        choice = saliency_study._Choice(studio, list(volumes), most, lambda text: None)
+        choice = saliency_study._Choice(
+            studio, list(volumes), replace(extent.FULL, most_studied=most), lambda text: None
+        )
         chosen = []
         for volume, found in choice:
             self.assertEqual(studio.opened, volume)
