@@ -24,8 +24,18 @@ constexpr int kSegmentBytes = 1448;
 
 using SegmentSize = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_MAXSEG>;
 
-std::string words_of(const websocket::response_type& response) {
-  return "the server answers " + std::to_string(response.result_int()) + ": " + response.body();
+/// A refusal's own words where they are words: a page is for browsers.
+std::string words_of(const websocket::response_type& response, const Address& address) {
+  constexpr std::size_t kLongest = 300;
+  const unsigned status = response.result_int();
+  const std::string answer = "the server answers " + std::to_string(status);
+  const auto type = response[beast::http::field::content_type];
+  const bool is_page = type.find("html") != beast::string_view::npos;
+  if (status < 400 || response.result() == beast::http::status::not_found || is_page) {
+    return answer + " and no WebSocket at the path " + address.path +
+           "; expected ws://HOST:PORT/ws, where Cutaway's is";
+  }
+  return answer + ": " + response.body().substr(0, kLongest);
 }
 
 }  // namespace
@@ -89,7 +99,8 @@ asio::awaitable<void> Connection::shake_hands(Address address) {
   const std::string host = address.host + ":" + address.port;
   co_await stream_.async_handshake(response, host, address.path,
                                    asio::redirect_error(asio::use_awaitable, error));
-  if (error == websocket::error::upgrade_declined) throw std::runtime_error(words_of(response));
+  if (error == websocket::error::upgrade_declined)
+    throw std::runtime_error(words_of(response, address));
   if (error) throw boost::system::system_error(error);
 }
 

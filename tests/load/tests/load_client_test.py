@@ -99,6 +99,18 @@ class LoadClientTest(unittest.TestCase):
         self.assertEqual(status, NOT_HELD)
         self.assertIn("refused", output)
 
+    def test_an_address_without_the_path_is_said_to_be_one(self):
+        page = self.folder / "index.html"
+        page.write_text("<!doctype html><title>the page</title>")
+        server = Server(SERVER_BINARY, "--web-root", self.folder)
+        self.addCleanup(server.stop)
+        for path, answer in (("", 200), ("/", 200), ("/wss", 404)):
+            url = f"ws://127.0.0.1:{server.port}{path}"
+            status, output, _ = self.load(script({}), "--clients", 1, "--seconds", 1, url=url)
+            self.assertEqual(status, NOT_HELD)
+            self.assertIn(f"the server answers {answer} and no WebSocket at the path {path or '/'}; expected ws:", output)
+            self.assertNotIn("<", output)
+
     def test_wrong_usage_and_wrong_scripts_are_told_apart(self):
         self.assertEqual(self.load(script({}), url="http://127.0.0.1/ws")[0], WRONG_USAGE)
         self.assertEqual(self.load(script({}), "--clients", 0)[0], WRONG_USAGE)
