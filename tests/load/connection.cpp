@@ -99,9 +99,13 @@ asio::awaitable<void> Connection::shake_hands(Address address) {
   const std::string host = address.host + ":" + address.port;
   co_await stream_.async_handshake(response, host, address.path,
                                    asio::redirect_error(asio::use_awaitable, error));
+  if (!error) co_return;
+  // Its timer goes on otherwise, and with it the run.
+  stream_.set_option(websocket::stream_base::timeout{websocket::stream_base::none(),
+                                                     websocket::stream_base::none(), false});
   if (error == websocket::error::upgrade_declined)
     throw std::runtime_error(words_of(response, address));
-  if (error) throw boost::system::system_error(error);
+  throw boost::system::system_error(error);
 }
 
 asio::awaitable<std::optional<Arrival>> Connection::receive() { return arriving_.pop(); }
