@@ -193,6 +193,9 @@ COMMANDS = {
                               "128x128", "--rounds", "1"]),
         "VTK is installed for it",
     ),
+    "tests/soak": Run(
+        lambda folder: shell(["tests/soak", "1", "--html", folder / "soak.html"]), "a minute at the least"
+    ),
     "tests/benchmark/bundle": Run(
         lambda folder: shell(["tests/benchmark/bundle", folder / "bundle"]), "all is built once more for it"
     ),
