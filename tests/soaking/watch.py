@@ -9,7 +9,8 @@ INTERVAL_S = 0.5
 
 
 def look(pid):
-    """{figure: value} now. OSError where there is no such process, or its descriptors are not for us to see (server: process.core_dumps)."""
+    """{figure: value} now. OSError where there is no such process, or its descriptors are not for us to see, as where
+    a server's process.core_dumps is off."""
     process = pathlib.Path(f"/proc/{pid}")
     status = dict(line.split(":", 1) for line in (process / "status").read_text().splitlines())
     return {
