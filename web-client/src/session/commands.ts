@@ -232,7 +232,9 @@ export class Commands {
     const { viewport } = this.store.state;
     const camera = viewCamera(this.store.state);
     if (!camera || !viewport) return;
-    const { eye_mm, target_mm, up, ...lens } = motion(camera, viewport);
+    const moved = motion(camera, viewport);
+    if (moved === camera) return;
+    const { eye_mm, target_mm, up, ...lens } = moved;
     this.step();
     this.link.change({ camera: { eye_mm, target_mm, up, ...lens } });
   }
