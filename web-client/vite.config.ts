@@ -34,7 +34,15 @@ export default defineConfig({
       '/readyz': to_server,
     },
   },
-  build: { target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false } },
+  build: {
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+    // What the page and its later parts share is one file: many small ones compress worse.
+    rolldownOptions: {
+      output: { codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] } },
+    },
+  },
   worker: { format: 'es' },
   test: {
     include: ['tests/**/*.test.ts'],
