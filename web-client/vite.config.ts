@@ -1,5 +1,6 @@
 import type { Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
+import { BUILD_TARGET } from './scripts/floor.mjs';
 
 /**
  * Web Awesome's default icon library carries the addresses of a CDN. Ours replaces it; the
@@ -35,7 +36,7 @@ export default defineConfig({
     },
   },
   build: {
-    target: 'es2022',
+    target: BUILD_TARGET,
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     // What the page and its later parts share is one file: many small ones compress worse.

@@ -11,7 +11,7 @@ import { Viewer } from "./support/viewer.mjs";
 const SIZES = [
   [1440, 900],
   [1024, 768],
-  [2560, 1440],
+  [1920, 1080],
   [390, 844],
   [844, 390],
 ];
