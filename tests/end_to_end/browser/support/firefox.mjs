@@ -1,15 +1,15 @@
 // Debian's Firefox by its own end of the WebDriver protocol, Marionette: JSON over TCP, each message
 // after its length.
-import { spawn } from "node:child_process";
-import { once } from "node:events";
-import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
-import { connect } from "node:net";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
-import { setTimeout as wait } from "node:timers/promises";
-import { ended } from "./ended.mjs";
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { connect } from 'node:net';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { setTimeout as wait } from 'node:timers/promises';
+import { ended } from './ended.mjs';
 
-const FIREFOX = process.env.CUTAWAY_FIREFOX ?? "/usr/bin/firefox-esr";
+const FIREFOX = process.env.CUTAWAY_FIREFOX ?? '/usr/bin/firefox-esr';
 export const FIREFOX_NEEDS = [FIREFOX];
 
 const START_LIMIT_MS = 60_000;
@@ -47,35 +47,26 @@ export class Firefox {
   }
 
   async #start({ width, height }) {
-    this.#profile = await mkdtemp(join(tmpdir(), "cutaway-firefox-"));
-    await writeFile(join(this.#profile, "user.js"), PREFERENCES);
-    const options = [
-      "--headless",
-      "--no-remote",
-      "--marionette",
-      "--profile",
-      this.#profile,
-    ];
+    this.#profile = await mkdtemp(join(tmpdir(), 'cutaway-firefox-'));
+    await writeFile(join(this.#profile, 'user.js'), PREFERENCES);
+    const options = ['--headless', '--no-remote', '--marionette', '--profile', this.#profile];
     const size = [`--width=${width}`, `--height=${height}`];
     this.#process = spawn(FIREFOX, [...options, ...size], {
-      stdio: "ignore",
+      stdio: 'ignore',
       env: { ...process.env, HOME: this.#profile },
     });
-    this.#socket = connect(Number(await this.#port()), "127.0.0.1");
-    this.#socket.on("data", (bytes) => this.#receive(bytes));
-    await once(this.#socket, "connect");
-    await this.#command("NewSession", { capabilities: {} });
-    await this.#command("SetTimeouts", { script: SCRIPT_LIMIT_MS });
+    this.#socket = connect(Number(await this.#port()), '127.0.0.1');
+    this.#socket.on('data', (bytes) => this.#receive(bytes));
+    await once(this.#socket, 'connect');
+    await this.#command('NewSession', { capabilities: {} });
+    await this.#command('SetTimeouts', { script: SCRIPT_LIMIT_MS });
     await this.#resize(width, height);
   }
 
   async #port() {
-    for (
-      const begun = performance.now();
-      performance.now() - begun < START_LIMIT_MS;
-    ) {
-      const path = join(this.#profile, "MarionetteActivePort");
-      const port = await readFile(path, "utf8").catch(() => "");
+    for (const begun = performance.now(); performance.now() - begun < START_LIMIT_MS;) {
+      const path = join(this.#profile, 'MarionetteActivePort');
+      const port = await readFile(path, 'utf8').catch(() => '');
       if (port) return port;
       await wait(50);
     }
@@ -85,10 +76,10 @@ export class Firefox {
   /** The page's size: the window is larger by its own bars. */
   async #resize(width, height) {
     const [width_more, height_more] = await this.script(
-      "arguments[0]([outerWidth - innerWidth, outerHeight - innerHeight])",
+      'arguments[0]([outerWidth - innerWidth, outerHeight - innerHeight])',
       [],
     );
-    await this.#command("SetWindowRect", {
+    await this.#command('SetWindowRect', {
       width: width + width_more,
       height: height + height_more,
     });
@@ -101,12 +92,9 @@ export class Firefox {
       if (colon < 0) return;
       const end = colon + 1 + Number(this.#received.subarray(0, colon));
       if (this.#received.length < end) return;
-      const message = JSON.parse(
-        this.#received.subarray(colon + 1, end).toString(),
-      );
+      const message = JSON.parse(this.#received.subarray(colon + 1, end).toString());
       this.#received = this.#received.subarray(end);
-      if (Array.isArray(message) && message[0] === ANSWER)
-        this.#answer(message);
+      if (Array.isArray(message) && message[0] === ANSWER) this.#answer(message);
     }
   }
 
@@ -118,27 +106,22 @@ export class Firefox {
   }
 
   #command(name, parameters = {}) {
-    const text = JSON.stringify([
-      COMMAND,
-      ++this.#last,
-      `WebDriver:${name}`,
-      parameters,
-    ]);
+    const text = JSON.stringify([COMMAND, ++this.#last, `WebDriver:${name}`, parameters]);
     const answer = new Promise((resolve, reject) => {
       this.#waiting.set(this.#last, { resolve, reject });
-      this.#socket.once("close", () => reject(new Error("Firefox has ended")));
+      this.#socket.once('close', () => reject(new Error('Firefox has ended')));
     });
     this.#socket.write(`${Buffer.byteLength(text)}:${text}`);
     return answer;
   }
 
   async goto(url) {
-    await this.#command("Navigate", { url });
+    await this.#command('Navigate', { url });
   }
 
   /** The script calls its last argument with the result. */
   async script(script, args) {
-    const { value } = await this.#command("ExecuteAsyncScript", {
+    const { value } = await this.#command('ExecuteAsyncScript', {
       script,
       args,
     });
@@ -146,18 +129,17 @@ export class Firefox {
   }
 
   async perform(actions) {
-    await this.#command("PerformActions", { actions });
+    await this.#command('PerformActions', { actions });
   }
 
   async screenshot() {
-    const { value } = await this.#command("TakeScreenshot", { full: false });
+    const { value } = await this.#command('TakeScreenshot', { full: false });
     return value;
   }
 
   async close() {
     this.#socket?.destroy();
     await ended(this.#process);
-    if (this.#profile)
-      await rm(this.#profile, { recursive: true, force: true });
+    if (this.#profile) await rm(this.#profile, { recursive: true, force: true });
   }
 }
