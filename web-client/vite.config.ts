@@ -1,5 +1,6 @@
 import type { Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
+import { BUILD_TARGET } from './scripts/floor.mjs';
 
 /**
  * Web Awesome's default icon library carries the addresses of a CDN. Ours replaces it; the
@@ -34,7 +35,15 @@ export default defineConfig({
       '/readyz': to_server,
     },
   },
-  build: { target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false } },
+  build: {
+    target: BUILD_TARGET,
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+    // What the page and its later parts share is one file: many small ones compress worse.
+    rolldownOptions: {
+      output: { codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] } },
+    },
+  },
   worker: { format: 'es' },
   test: {
     include: ['tests/**/*.test.ts'],

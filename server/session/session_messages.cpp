@@ -81,8 +81,11 @@ void Session::change_shown(const SceneMessage& message) {
 
 void Session::handle(const ViewportMessage& message) {
   check_pixels(message.width_px, message.height_px);
-  took_effect(state_.set_viewport({message.width_px, message.height_px, message.view}),
-              message.stamp);
+  SceneState::Change change =
+      state_.set_viewport({message.width_px, message.height_px, message.view});
+  const bool is_awaited = message.view == ViewKind::volume;
+  change.chosen = change.chosen || (is_awaited && !change.pictures[std::size_t(message.view)]);
+  took_effect(change, message.stamp);
 }
 
 void Session::handle(const CloseViewMessage& message) {
@@ -108,7 +111,11 @@ void Session::handle(const PickMessage& message) {
   tell(picked_message(message.request, point));
 }
 
-void Session::handle(const CancelLoadMessage&) { stop_opening(); }
+void Session::handle(const CancelLoadMessage&) {
+  const bool was_opening = pending_.has_value();
+  stop_opening();
+  if (was_opening) tell_scene_soon();  // no picture shows the input that wanted the volume
+}
 
 void Session::handle(const AckMessage& message) { flow(message.view).acknowledge(message.frame); }
 

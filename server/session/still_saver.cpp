@@ -15,21 +15,23 @@ StillSaver::StillSaver(std::shared_ptr<Strand> strand, FrameSource& source, Clie
 StillSaver::~StillSaver() { source_.release(view_.view); }
 
 void StillSaver::require_room() const {
-  if (!waiting_) return;
+  const std::size_t places = stage_ == Stage::writing ? 2 : 1;
+  if (waiting_.size() < places) return;
   throw Error({.code = "rate-limited",
                .message = "a still is being made and another one waits",
                .expected = "the next save_still once one of the two came"});
 }
 
 void StillSaver::save(std::uint32_t request, SceneSnapshot snapshot, const FrameQuality& quality) {
-  waiting_ = Waiting{request, std::move(snapshot), quality};
-  if (!busy_) make_next();
+  waiting_.push_back({request, std::move(snapshot), quality});
+  if (stage_ == Stage::idle) make_next();
 }
 
 void StillSaver::make_next() {
-  busy_ = waiting_.has_value();
-  if (!waiting_) return;
-  const Waiting next = *std::exchange(waiting_, std::nullopt);
+  stage_ = waiting_.empty() ? Stage::idle : Stage::making;
+  if (stage_ == Stage::idle) return;
+  const Waiting next = std::move(waiting_.front());
+  waiting_.pop_front();
   source_.submit({.view = view_.view,
                   .share = view_.share,
                   .revision = next.shown.revision,
@@ -46,6 +48,7 @@ void StillSaver::came_back(std::uint32_t request, const SceneSnapshot& shown,
                            FrameOutcome outcome) {
   source_.release(view_.view);
   if (auto* frame = std::get_if<Frame>(&outcome)) {
+    stage_ = Stage::writing;
     sink_.send_still(saved_still_message(request, shown.stamp, shown.scene->viewport, *frame),
                      tether_.bind<bool>([this](bool) { make_next(); }));
     return;

@@ -1,10 +1,11 @@
 // The client's wish for a lossless picture of a scene, of a size of its own.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
-#include <optional>
 
 #include "session/ends.h"
 #include "session/frame_flow.h"
@@ -12,9 +13,9 @@
 namespace cutaway {
 
 /// One still at a time, in a view of its own, beside the live frames and their credits. One more
-/// may wait, of the scene as it was when it was asked for: a client has the last bytes of a still
-/// before the server knows that they are written, and may ask for the next at once. Lives on the
-/// session's strand.
+/// may wait, of the scene as it was when it was asked for. A client has the last bytes of a still
+/// before the server knows that they are written, and may ask for the next at once: while a still
+/// is written it has no place any more, and two may wait. Lives on the session's strand.
 class StillSaver {
  public:
   /// `failed` hears of a still that could not be rendered, with its request.
@@ -24,7 +25,7 @@ class StillSaver {
   StillSaver(const StillSaver&) = delete;
   StillSaver& operator=(const StillSaver&) = delete;
 
-  /// Throws Error while one waits already.
+  /// Throws Error while as many wait as may.
   void require_room() const;
   /// Of the snapshot's viewport. There is room for it.
   void save(std::uint32_t request, SceneSnapshot snapshot, const FrameQuality& quality);
@@ -36,6 +37,10 @@ class StillSaver {
     FrameQuality quality;
   };
 
+  /// Of the still that is not done: the next begins once it is written, so that one at most waits
+  /// in the sink.
+  enum class Stage { idle, making, writing };
+
   void make_next();
   void came_back(std::uint32_t request, const SceneSnapshot& shown, FrameOutcome outcome);
 
@@ -43,8 +48,8 @@ class StillSaver {
   ClientSink& sink_;
   RenderView view_;
   std::function<void(std::uint32_t, const Error&)> failed_;
-  bool busy_ = false;  ///< until the still is written, so that one at most waits in the sink
-  std::optional<Waiting> waiting_;
+  Stage stage_ = Stage::idle;
+  std::deque<Waiting> waiting_;
   Tether tether_;
 };
 

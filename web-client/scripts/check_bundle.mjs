@@ -1,8 +1,10 @@
-// The built client: small enough for a first visit, and with no address of another origin in it.
+// The built client: small enough for a first visit, with no address of another origin in it, and with
+// nothing that the oldest browsers lack.
 import { readdirSync, readFileSync } from 'node:fs';
 import { basename, extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
+import { newerThanFloor } from './floor.mjs';
 
 const LARGEST_INITIAL_BYTES = 150 * 1000;
 const dist = fileURLToPath(new URL('../dist', import.meta.url));
@@ -35,6 +37,9 @@ for (const file of files) {
   bytes.set(basename(file), gzipSync(content, { level: 9 }).length);
   imports.set(basename(file), new Set([...text.matchAll(IMPORTED)].map(([, name]) => name)));
   for (const [, name] of text.matchAll(LOADED_LATER)) loaded_later.add(name);
+  if (['.js', '.css'].includes(extname(file)))
+    for (const problem of newerThanFloor(content.toString(), extname(file) === '.js'))
+      problems.push(`${file}: ${problem}`);
   for (const [address] of text.matchAll(/(?:https?|wss?):\/\/[\w.-]+\.[a-z]{2,}[\w./-]*/g)) {
     if (!HARMLESS.some((known) => known.test(address)))
       problems.push(`${file}: address of another origin: ${address}`);

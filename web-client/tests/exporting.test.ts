@@ -103,12 +103,20 @@ describe('a picture', () => {
     expect(harness.state.toasts).toMatchObject([{ title: 'Too large for this server' }]);
   });
 
-  it('of a lost connection is given up, with a reason', async () => {
+  it('is asked for again after a lost connection, of the scene as it was', async () => {
+    const camera = harness.state.scene?.camera;
     const saving = exporting().savePicture('3d', size);
     harness.emit({ kind: 'link', state: { phase: 'connecting' } });
+    expect(state()).toMatchObject({ lags: true, job: { what: 'picture' } });
+    harness.session.commands.orbit(10, 0);
+    await harness.connect();
+    expect(asked()).toHaveLength(1);
+    harness.say(sceneMessage);
+    expect(asked()[1]).toMatchObject({ ...size, scene: { camera } });
+    expect(state().lags).toBe(false);
+    answer(lastRequest());
     await saving;
-    expect(state().outcome).toMatchObject({ kind: 'failed', title: 'The export was given up' });
-    expect(harness.saved).toEqual([]);
+    expect(harness.saved).toHaveLength(1);
   });
 });
 
@@ -130,6 +138,27 @@ describe('a film', () => {
     expect(new Set(cameras.map((eye) => JSON.stringify(eye))).size).toBe(4);
     expect(harness.state.scene).toBe(before);
     expect(harness.saved[0]?.[0]).toBe('cutaway Head.zip');
+  });
+
+  it('goes on from the frame it was at after a lost connection', async () => {
+    const saving = exporting().saveFilm(wish);
+    await vi.waitFor(() => expect(asked()).toHaveLength(2));
+    answer(asked()[0]?.request ?? 0);
+    await settle();
+    harness.emit({ kind: 'link', state: { phase: 'connecting' } });
+    await harness.connect();
+    harness.say(sceneMessage);
+    const scenes = asked().map(({ scene }) => scene);
+    expect(scenes.slice(3)).toEqual(scenes.slice(1, 3));
+    for (const request of [4, 5, 6]) {
+      answer(asked().find((one) => one.request === request)?.request ?? lastRequest());
+      await settle();
+    }
+    await saving;
+    expect(harness.saved).toHaveLength(1);
+    expect(harness.state.toasts.filter(({ tone }) => tone === 'problem')).toMatchObject([
+      { title: 'Saved without labels' },
+    ]);
   });
 
   it('tells how far it is', async () => {

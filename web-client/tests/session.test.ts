@@ -1,4 +1,4 @@
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 import type { SceneMessage } from '../src/protocol/messages.ts';
 import { sceneToAddress } from '../src/state/scene_address.ts';
 import { capabilities, sceneMessage } from './capabilities.ts';
@@ -315,63 +315,5 @@ describe('a value left to the server', () => {
       { lens: { radius_mm: 20 } },
       { focus: { surface: { upper_value: null } } },
     ]);
-  });
-});
-
-describe('a server that does not answer', () => {
-  beforeEach(() => {
-    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
-    harness.say(sceneMessage);
-    harness.emit({ kind: 'shown', frame: frame(harness.state.sent_input, 1) });
-  });
-  afterEach(() => vi.useRealTimers());
-
-  it('is called stalled after a while, until a picture comes', () => {
-    harness.session.commands.resetView();
-    vi.advanceTimersByTime(5_000);
-    expect(harness.state.stalled).toBe(false);
-    vi.advanceTimersByTime(5_000);
-    expect(harness.state.stalled).toBe(true);
-    harness.emit({ kind: 'shown', frame: frame(harness.state.sent_input, 2) });
-    expect(harness.state.stalled).toBe(false);
-  });
-
-  it('is not while pictures come, however old', () => {
-    const { sent_input } = harness.state;
-    harness.session.commands.resetView();
-    for (let picture = 0; picture < 4; picture++) {
-      vi.advanceTimersByTime(4_000);
-      harness.emit({ kind: 'shown', frame: frame(sent_input, 2) });
-    }
-    expect(harness.state.stalled).toBe(false);
-  });
-
-  it('is not where it says that the input changed nothing in the picture', () => {
-    harness.session.commands.resetView();
-    harness.say({ ...sceneMessage, input: harness.state.sent_input });
-    vi.advanceTimersByTime(60_000);
-    expect(harness.state.stalled).toBe(false);
-  });
-
-  it('is not where it refuses the input, which no picture will show', () => {
-    harness.session.commands.resetView();
-    const { sent_input: input } = harness.state;
-    harness.say({ type: 'error', code: 'out-of-range', message: 'no', input });
-    vi.advanceTimersByTime(60_000);
-    expect(harness.state.stalled).toBe(false);
-  });
-
-  it('is where the scene that it says is yet to be seen', () => {
-    harness.session.commands.resetView();
-    const { lens, ...rest } = sceneMessage.scene;
-    const moved = { ...rest, lens: { ...lens, radius_mm: 7 } };
-    harness.say({ ...sceneMessage, revision: 2, input: harness.state.sent_input, scene: moved });
-    vi.advanceTimersByTime(10_000);
-    expect(harness.state.stalled).toBe(true);
-  });
-
-  it('is not while nothing was asked of it', () => {
-    vi.advanceTimersByTime(60_000);
-    expect(harness.state.stalled).toBe(false);
   });
 });

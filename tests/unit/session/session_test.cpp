@@ -114,6 +114,16 @@ TEST_F(SessionTest, WhoWaitsForAPictureOfWhatChangesNothingHearsThatItIsThere) {
   EXPECT_EQ(client.of_type("scene").size(), told) << "no 3-D picture is awaited of that";
 }
 
+TEST_F(SessionTest, WhoWaitsForAPictureOfTheSameViewportHearsThatItIsThere) {
+  show_ball();
+  settle();
+  strand->advance(Milliseconds(1000.0));
+  const std::uint32_t latest = viewport(640, 480);
+  strand->advance(Milliseconds(1000.0));
+  EXPECT_TRUE(frames.idle());
+  EXPECT_EQ(client.last("scene")["input"], latest);
+}
+
 TEST_F(SessionTest, TheNextFrameShowsTheInputThatChangedNothing) {
   show_ball();
   scene(Json::object());
@@ -209,6 +219,33 @@ TEST_F(SessionTest, AClientThatHasItsStillMayAskForTheNext) {
     EXPECT_EQ(client.stills.back().header.frame, request);
   }
   EXPECT_TRUE(client.of_type("error").empty());
+}
+
+// A film has two requests on their way at all times.
+TEST_F(SessionTest, AClientThatHasItsStillMayAskAnewThoughAnotherWaits) {
+  show_ball();
+  receive(save(1));
+  receive(save(2));
+  for (std::uint32_t request = 1; request < 5; ++request) {
+    frames.finish();
+    strand->run();
+    ASSERT_EQ(client.stills.size(), request);
+    receive(save(request + 2));
+    client.stills.back().done(true);
+    strand->run();
+  }
+  EXPECT_TRUE(client.of_type("error").empty());
+}
+
+TEST_F(SessionTest, NoMoreThanTwoStillsWaitBesideTheOneThatIsWritten) {
+  show_ball();
+  receive(save(1));
+  frames.finish();
+  strand->run();
+  for (std::uint32_t request = 2; request < 5; ++request) receive(save(request));
+  expect_error("rate-limited");
+  EXPECT_EQ(client.last("error")["request"], 4);
+  EXPECT_TRUE(frames.idle()) << "the second was made while the first was being sent";
 }
 
 TEST_F(SessionTest, OneStillIsMadeAndOneWaits) {

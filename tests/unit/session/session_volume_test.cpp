@@ -34,10 +34,12 @@ TEST_F(SessionVolumeTest, ThousandsOfProgressReportsBecomeAFew) {
 
 TEST_F(SessionVolumeTest, CancelKeepsTheVolumeThatWasShown) {
   show_ball();
-  scene({{"volume", "other"}});
+  const std::uint32_t asking = scene({{"volume", "other"}});
+  strand->advance(Milliseconds(1000.0));
   receive({{"type", "cancel_load"}});
   EXPECT_TRUE(library.wishes.back()->withdrawn);
   EXPECT_THAT(loading_stages(), ElementsAre("cancelled"));
+  EXPECT_EQ(client.last("scene")["input"], asking) << "no picture will show it";
   scene({{"lens", {{"radius_mm", 10.0}}}});
   EXPECT_EQ(rendered().volume, "ball");
 }

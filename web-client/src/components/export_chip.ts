@@ -82,9 +82,10 @@ export class ExportChip extends SessionElement {
   }
 
   private making(job: ExportJob) {
-    const { making } = words().export;
+    const { making, waiting } = words().export;
+    const progress = job.what === 'film' ? framesText(job) : making.picture;
     return html`<div class="chip" data-part="export-going-on">
-      <span>${job.what === 'film' ? framesText(job) : making.picture}</span>
+      <span>${this.state.exporting.lags ? waiting : progress}</span>
       <button class="text-button" @click=${() => this.session.exporting.show(true)}>
         ${words().export.heading}
       </button>

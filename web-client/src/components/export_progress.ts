@@ -48,10 +48,10 @@ export class ExportProgress extends SessionElement {
   ];
 
   override render() {
-    const { job } = this.state.exporting;
+    const { job, lags } = this.state.exporting;
     if (!job) return nothing;
-    const { making, go_on, cancel } = words().export;
-    return html`<p role="status">${making[job.what]}</p>
+    const { making, waiting, go_on, cancel } = words().export;
+    return html`<p role="status">${lags ? waiting : making[job.what]}</p>
       ${job.what === 'film' ? this.film(job) : this.bar(undefined, 1)}
       <p class="quiet small">${go_on}</p>
       <button class="text-button" @click=${() => this.session.exporting.cancel()}>
@@ -63,7 +63,9 @@ export class ExportProgress extends SessionElement {
     return html`${this.bar(job.frames_done, job.frames)}
       <div class="row" data-part="export-progress">
         <span>${framesText(job)}</span>
-        <span class="quiet">${timeLeftText(job, performance.now())}</span>
+        <span class="quiet">
+          ${this.state.exporting.lags ? nothing : timeLeftText(job, performance.now())}
+        </span>
       </div>`;
   }
 

@@ -17,8 +17,6 @@ type Hint = 'turn' | 'lens' | 'style';
 
 const HINTS: readonly Hint[] = ['turn', 'lens', 'style'];
 const NO_HOVER = '(hover: none)';
-/** Of the hint from the lens' rim. */
-const GAP_CSS_PX = 14;
 
 const changed = (before: unknown, now: unknown): boolean =>
   JSON.stringify(before) !== JSON.stringify(now);
@@ -45,17 +43,20 @@ export class Hints extends SessionElement {
       :host {
         overflow: hidden;
       }
+      /* One below the other, so that none can cover another: below the cube, above the notices. */
       section {
         position: absolute;
         inset: 0;
+        display: flex;
+        flex-direction: column;
+        align-items: center;
+        gap: 12px;
+        padding: 116px 14px 40px;
       }
       .hint {
-        position: absolute;
-        display: flex;
-        align-items: center;
-        gap: 8px;
+        flex: none;
         width: max-content;
-        max-width: min(300px, calc(100% - 32px));
+        max-width: min(300px, 100%);
         padding: 7px 12px;
         border-radius: 999px;
         background: var(--on-picture-accent);
@@ -68,23 +69,30 @@ export class Hints extends SessionElement {
         box-shadow: var(--shadow);
         animation: appear 300ms ease-out;
       }
-      .turn,
-      .lens {
-        transform: translateX(-50%);
-      }
-      .turn {
-        left: 50%;
-        bottom: 84px;
-      }
       .style {
-        top: 116px;
-        right: 14px;
+        align-self: flex-end;
+      }
+      /* As far down and to the side as the lens' rim, as far as there is room. */
+      .above {
+        flex: 0 1 var(--down, 0);
+      }
+      .row {
+        display: flex;
+        width: 100%;
+      }
+      .row::before {
+        flex: var(--across, 1) 1 0;
+        content: '';
+      }
+      .row::after {
+        flex: calc(1 - var(--across, 0)) 1 0;
+        content: '';
+      }
+      .below {
+        flex: 1 1 0;
       }
       button {
-        position: absolute;
-        left: 50%;
-        bottom: 40px;
-        transform: translateX(-50%);
+        flex: none;
         padding: 6px 16px;
         border: 1px solid rgb(255 255 255 / 55%);
         border-radius: 999px;
@@ -101,17 +109,27 @@ export class Hints extends SessionElement {
         button {
           min-height: 44px;
         }
-        .turn {
-          bottom: 90px;
-        }
       }
       /* Above the notices, which are broken into lines there. */
       @media (max-width: 720px) {
-        button {
-          bottom: 88px;
+        section {
+          padding-bottom: 88px;
         }
-        .turn {
-          bottom: 142px;
+      }
+      /* No room for all of them: the panel speaks for itself. */
+      @container (max-height: 400px) {
+        section {
+          gap: 8px;
+          padding-top: 36px;
+        }
+        .style {
+          display: none;
+        }
+      }
+      @container (max-height: 260px) or (max-width: 260px) {
+        .hint,
+        .row {
+          display: none;
         }
       }
     `,
@@ -154,29 +172,43 @@ export class Hints extends SessionElement {
       lens: hints.lens,
       style: hints.style,
     };
-    return html`<section aria-label=${hints.name} data-part="hints">
-      ${HINTS.filter((hint) => !this.followed.has(hint)).map(
-        (hint) =>
-          html`<p class="hint ${hint}" style=${styleMap(this.placeOf(hint))}>${texts[hint]}</p>`,
-      )}
+    const hint = (name: Hint) =>
+      this.followed.has(name) ? nothing : html`<p class="hint ${name}">${texts[name]}</p>`;
+    const place = this.lensPlace();
+    return html`<section
+      aria-label=${hints.name}
+      data-part="hints"
+      style=${styleMap({ '--across': String(place?.across ?? 0.5) })}
+    >
+      ${hint('style')}
+      <div class="above"></div>
+      ${place ? html`<div class="row">${hint('lens')}</div>` : nothing}
+      <div class="below"></div>
+      ${hint('turn')}
       <button @click=${this.sendAway}>${hints.got_it}</button>
     </section>`;
   }
 
-  /** The lens' hint is under its rim; the others' places are in the styles. */
-  private placeOf(hint: Hint): Readonly<Record<string, string>> {
-    if (hint !== 'lens') return {};
+  /** How far down the lens' hint begins follows from what is above it. */
+  override updated(): void {
+    const above = this.renderRoot.querySelector<HTMLElement>('.above');
+    const down_css_px = (this.lensPlace()?.top ?? 0) - (above?.offsetTop ?? 0);
+    above?.style.setProperty('--down', `${Math.max(0, down_css_px)}px`);
+  }
+
+  /** Under the lens' rim: CSS pixels from the top, and the share of the picture's width. */
+  private lensPlace(): { readonly top: number; readonly across: number } | undefined {
     const { shown, shown_scene } = this.state;
     const camera = cameraOf(shown_scene);
     const { centre_mm, radius_mm, mode } = shown_scene?.lens ?? {};
-    if (!shown || !camera || !centre_mm || !radius_mm || mode === 'none')
-      return { display: 'none' };
+    if (!shown || !camera || !centre_mm || !radius_mm || mode === 'none') return undefined;
     const viewport = { width_px: shown.viewport_width_px, height_px: shown.viewport_height_px };
     const centre_px = projectPx(camera, viewport, centre_mm);
-    if (!centre_px) return { display: 'none' };
+    if (!centre_px) return undefined;
     const radius_px = radius_mm / pixelSizeMm(camera, viewport, centre_mm);
     const size = { width: this.clientWidth, height: this.clientHeight };
     const [left, top] = pictureToElement([centre_px[0], centre_px[1] + radius_px], viewport, size);
-    return { left: `${left}px`, top: `${top + GAP_CSS_PX}px` };
+    const across = Math.min(1, Math.max(0, left / Math.max(1, size.width)));
+    return { top, across };
   }
 }

@@ -1,12 +1,12 @@
 // The panel: beside the picture on a wide page, a sheet from below on a phone. Its tabs stay when
 // it is closed there.
-import { css, html, nothing } from 'lit';
+import { css, html, nothing, type PropertyValues } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { keyed } from 'lit/directives/keyed.js';
 import type { PanelTab } from '../state/viewer_state.ts';
 import { shared } from '../styles/shared.ts';
 import './adjust_tab.ts';
-import './measure_tab.ts';
+import { LatePart } from './late_part.ts';
 import { isPhone } from './phone.ts';
 import { SessionElement } from './session_element.ts';
 import './style_gallery.ts';
@@ -19,6 +19,8 @@ const TABS: readonly PanelTab[] = ['volumes', 'styles', 'adjust', 'measure', 'vi
 @customElement('cutaway-panel')
 export class CutawayPanel extends SessionElement {
   protected override readonly draws = ['panel_tab', 'preferences'] as const;
+
+  private readonly measure_tab = new LatePart(this, () => import('./measure_tab.ts'));
 
   static override styles = [
     shared,
@@ -98,6 +100,14 @@ export class CutawayPanel extends SessionElement {
     `,
   ];
 
+  override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const { panel_tab, preferences } = this.state;
+    const { toasts, commands } = this.session;
+    if (panel_tab === 'measure' && preferences.panel_open)
+      void this.measure_tab.ask(toasts, () => commands.showTab('styles'));
+  }
+
   override render() {
     const { panel_tab, preferences } = this.state;
     return html`
@@ -168,7 +178,9 @@ export class CutawayPanel extends SessionElement {
       case 'adjust':
         return html`<cutaway-adjust-tab .session=${this.session}></cutaway-adjust-tab>`;
       case 'measure':
-        return html`<cutaway-measure-tab .session=${this.session}></cutaway-measure-tab>`;
+        return this.measure_tab.is_there
+          ? html`<cutaway-measure-tab .session=${this.session}></cutaway-measure-tab>`
+          : nothing;
       case 'view':
         return html`<cutaway-view-tab .session=${this.session}></cutaway-view-tab>`;
     }

@@ -26,13 +26,17 @@ export class SliceScroller extends SessionElement {
         right: 6px;
         bottom: 48px;
         width: 24px;
+        container-type: size;
       }
+      /* Upright by a turn: WebKitGTK draws one of a vertical writing mode, but none can drag it. */
       input {
-        width: 100%;
-        height: 100%;
+        position: absolute;
+        top: 50%;
+        left: 50%;
+        width: 100cqh;
+        height: 100cqw;
         margin: 0;
-        writing-mode: vertical-lr;
-        direction: rtl;
+        transform: translate(-50%, -50%) rotate(-90deg);
         accent-color: var(--plane);
         opacity: 0.65;
         touch-action: none;

@@ -1,6 +1,7 @@
 // Whose picture it is, the connection, and what can be done with the whole view.
 import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
+import { copyText } from '../session/copy_text.ts';
 import { volumeFacts } from '../state/volume_text.ts';
 import { shared } from '../styles/shared.ts';
 import './layout_choice.ts';
@@ -208,10 +209,10 @@ export class TopBar extends SessionElement {
   }
 
   private async copyLink(): Promise<void> {
-    const address = await this.session.commands.sceneLink();
+    const address = this.session.commands.sceneLink();
     if (!address) return;
     try {
-      await navigator.clipboard.writeText(address);
+      await copyText(address);
       this.session.toasts.note(words().messages.link_in_clipboard);
     } catch {
       this.session.toasts.note(words().messages.link_in_address_bar);

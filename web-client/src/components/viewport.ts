@@ -1,5 +1,5 @@
 // The 3-D picture and what lies over it.
-import { css, html } from 'lit';
+import { css, html, nothing, type PropertyValues } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import { styleMap } from 'lit/directives/style-map.js';
@@ -20,7 +20,7 @@ import { canvas_styles } from '../styles/canvas.ts';
 import { shared } from '../styles/shared.ts';
 import './crosshair_mark.ts';
 import './enlarge_button.ts';
-import './hints.ts';
+import { LatePart } from './late_part.ts';
 import './lens_overlay.ts';
 import './measure_overlay.ts';
 import './orientation_cube.ts';
@@ -45,6 +45,7 @@ export class CutawayViewport extends SessionElement {
   @property({ attribute: false }) canvas!: HTMLCanvasElement;
   @query('.stage') private stage!: HTMLElement;
 
+  private readonly hints = new LatePart(this, () => import('./hints.ts'));
   private observer: ResizeObserver | undefined;
   private size: Viewport | undefined;
 
@@ -67,6 +68,13 @@ export class CutawayViewport extends SessionElement {
 
   override focus(): void {
     this.stage.focus();
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const { commands, toasts } = this.session;
+    const give_up = (): void => commands.prefer({ hints_seen: true });
+    if (!this.state.preferences.hints_seen) void this.hints.ask(toasts, give_up);
   }
 
   override firstUpdated(): void {
@@ -146,7 +154,7 @@ export class CutawayViewport extends SessionElement {
       <cutaway-measure-overlay .session=${this.session}></cutaway-measure-overlay>
       <cutaway-orientation-marks .session=${this.session}></cutaway-orientation-marks>
       <cutaway-orientation-cube .session=${this.session}></cutaway-orientation-cube>
-      <cutaway-hints .session=${this.session}></cutaway-hints>
+      ${this.hints.is_there ? html`<cutaway-hints .session=${this.session}></cutaway-hints>` : nothing}
       <cutaway-picture-notices .session=${this.session}></cutaway-picture-notices>
       <cutaway-scale-bar .session=${this.session}></cutaway-scale-bar>
       <cutaway-enlarge-button .session=${this.session}></cutaway-enlarge-button>

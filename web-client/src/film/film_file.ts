@@ -39,6 +39,9 @@ export async function formatSupport(
   if (missing)
     return FILM_FORMATS.map((format) => (format === 'zip' ? { format } : { format, missing }));
   const { bestCodec } = await import('./video_file.ts');
+  // WebKitGTK looks for its codecs at the first such question, and ends the page when asked for an
+  // encoder before.
+  document.createElement('video').canPlayType('video/mp4');
   return Promise.all(
     FILM_FORMATS.map(async (format): Promise<FormatSupport> => {
       if (format === 'zip') return { format };

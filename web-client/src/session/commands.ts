@@ -198,9 +198,11 @@ export class Commands {
     this.link.sendViewport('3d', viewport);
   }
 
-  async sceneLink(): Promise<string | undefined> {
+  /** Nothing before there is a scene. */
+  sceneLink(): Promise<string> | undefined {
     const { scene } = this.store.state;
-    return scene && `${location.href.split('#')[0]}${await sceneToAddress(scene as JsonObject)}`;
+    const [page = ''] = location.href.split('#');
+    return scene && sceneToAddress(scene as JsonObject).then((address) => `${page}${address}`);
   }
 
   connectNow(): void {
@@ -232,7 +234,9 @@ export class Commands {
     const { viewport } = this.store.state;
     const camera = viewCamera(this.store.state);
     if (!camera || !viewport) return;
-    const { eye_mm, target_mm, up, ...lens } = motion(camera, viewport);
+    const moved = motion(camera, viewport);
+    if (moved === camera) return;
+    const { eye_mm, target_mm, up, ...lens } = moved;
     this.step();
     this.link.change({ camera: { eye_mm, target_mm, up, ...lens } });
   }

@@ -6,6 +6,7 @@ import { filmFile, labeller, type FormatSupport } from '../film/film_file.ts';
 import type { Labelling } from '../film/labelled_pictures.ts';
 import { pipelined } from '../film/pipeline.ts';
 import { withNotes } from '../film/png_notes.ts';
+import { wholeScene } from '../film/whole_scene.ts';
 import { turntableFilm, type Turntable } from '../film/turntable.ts';
 import type { Scene } from '../protocol/messages.ts';
 import type { ExportJob, ExportState } from '../state/export_state.ts';
@@ -80,7 +81,7 @@ export class Exporting {
     const labelling = this.labelling(view, size);
     const scene = this.store.state.scene ?? {};
     await this.run({ what: 'picture', frames: 1 }, async (signal) => {
-      const png = await this.stills.make(still, signal);
+      const png = await this.stills.make(still, signal, wholeScene(scene));
       const picture = labelling ? await (await labeller(labelling))({ png, scene }) : png;
       return { name, content: await withNotes(picture, notes) };
     });
@@ -107,6 +108,11 @@ export class Exporting {
 
   cancel(): void {
     this.current?.abort();
+  }
+
+  /** The server is waited for: it has refused something for now, or there is no connection. */
+  lags(lags: boolean): void {
+    if (this.store.state.exporting.lags !== lags) this.update({ lags });
   }
 
   private filmOf({ motion, frames_per_second }: FilmWish): Film | undefined {

@@ -34,6 +34,8 @@ export class SceneLink implements OutboxSender {
   private readonly sync = new SceneSync();
   private readonly shown_views = new ShownViews();
   private readonly outbox = new Outbox(this);
+  /** What the server said last: a picture of that revision shows that input. */
+  private last_told: { readonly revision: number; readonly input: number } | undefined;
 
   constructor(
     private readonly store: Store<ViewerState>,
@@ -118,8 +120,8 @@ export class SceneLink implements OutboxSender {
     this.publish();
     const { scene, shown } = this.store.state;
     if (scene) this.shown_views.changedByServer(message.revision, scene);
-    // What has changed nothing in the picture makes no frame: the one on the screen shows it.
-    if (shown && this.isNewest(shown, message.revision)) this.showsInput(message.input);
+    this.last_told = message;
+    if (shown) this.showsTold(shown);
   }
 
   /** A gesture is under way whose picture is not there yet. */
@@ -130,6 +132,7 @@ export class SceneLink implements OutboxSender {
   shown(frame: ShownFrame): Scene | undefined {
     this.sync.shown(frame.input);
     this.showsInput(frame.input);
+    this.showsTold(frame);
     return this.shown_views.volumeShownBy(frame);
   }
 
@@ -145,8 +148,16 @@ export class SceneLink implements OutboxSender {
     this.publish();
   }
 
-  private isNewest(shown: ShownFrame, revision: number): boolean {
-    return !isAfter(revision, shown.revision) || this.shown_views.isVolumeShownBy(shown);
+  /**
+   * What changes nothing in the picture makes no frame: the one of the revision that was told shows
+   * it, be it on the screen already or still to come, with an older input in its header.
+   */
+  private showsTold(shown: ShownFrame): void {
+    const told = this.last_told;
+    if (!told) return;
+    const is_newest =
+      !isAfter(told.revision, shown.revision) || this.shown_views.isVolumeShownBy(shown);
+    if (is_newest) this.showsInput(told.input);
   }
 
   private showsInput(input: number): void {

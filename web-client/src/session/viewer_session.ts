@@ -100,7 +100,7 @@ export class ViewerSession {
       this.commands,
     );
     this.own_styling = new OwnStyling(this.store, this.commands, this.toasts, parts);
-    this.stills = new Stills(stream, requests, () => this.link.flush());
+    this.stills = new Stills(stream, requests, this.link, (lags) => this.exporting.lags(lags));
     this.exporting = new Exporting(this.store, this.stills, this.toasts, parts.saveFile);
     this.preview_requests = new PreviewRequests(stream, requests);
     this.previews = new StylePreviews(this.store, this.preview_requests);
@@ -152,7 +152,7 @@ export class ViewerSession {
     this.previews.restart();
     this.volume_pictures.restart();
     this.picker.restart();
-    this.stills.restart();
+    this.stills.interrupted();
     this.store.update({ link });
     if (link.phase !== 'connected') return;
     this.told.capabilities = undefined;
@@ -188,6 +188,7 @@ export class ViewerSession {
         this.link.told(message);
         if (!message.volume) return;
         this.opening.told();
+        this.stills.served();
         this.told.volume = message.volume;
         this.publish();
         return this.findBaseStyle();

@@ -19,6 +19,8 @@ export interface ExportState {
   /** Which of the session's pictures is to be saved. */
   readonly view: ViewName;
   readonly job: ExportJob | undefined;
+  /** The job goes on once the server takes requests again. */
+  readonly lags: boolean;
   readonly outcome: ExportOutcome | undefined;
   /** When it began, on the clock of `performance.now`; nothing while none is made. */
   readonly recording_since_ms: number | undefined;
@@ -29,6 +31,7 @@ export const NOTHING_EXPORTED: ExportState = {
   open: false,
   view: '3d',
   job: undefined,
+  lags: false,
   outcome: undefined,
   recording_since_ms: undefined,
   path: undefined,

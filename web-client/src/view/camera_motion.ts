@@ -58,14 +58,20 @@ export function panByPixels(
 const clampDistance = (distance_mm: number): number =>
   Math.min(FARTHEST_MM, Math.max(NEAREST_MM, distance_mm));
 
-/** `magnification` above 1 makes the volume larger in the picture. */
+/** Less than any picture shows: what rounding makes of a distance at its limit. */
+const isSame = (a_mm: number, b_mm: number): boolean => Math.abs(a_mm - b_mm) < 1e-9 * b_mm;
+
+/** `magnification` above 1 makes the volume larger in the picture. At the limit, the same camera. */
 export function zoom(camera: Camera, magnification: number): Camera {
   if (camera.projection === 'orthographic') {
-    return { ...camera, view_height_mm: clampDistance(camera.view_height_mm / magnification) };
+    const view_height_mm = clampDistance(camera.view_height_mm / magnification);
+    return isSame(view_height_mm, camera.view_height_mm) ? camera : { ...camera, view_height_mm };
   }
   const arm_mm = subtract(camera.eye_mm, camera.target_mm);
   const distance_mm = length(arm_mm);
-  const arm_scale = clampDistance(distance_mm / magnification) / distance_mm;
+  const wanted_mm = clampDistance(distance_mm / magnification);
+  if (isSame(wanted_mm, distance_mm)) return camera;
+  const arm_scale = wanted_mm / distance_mm;
   return { ...camera, eye_mm: add(camera.target_mm, scale(arm_mm, arm_scale)) };
 }
 

@@ -78,6 +78,7 @@ export const export_words = {
   stop: 'Stop',
 
   making: { picture: 'The picture is made', film: 'The film is made' },
+  waiting: 'Waiting for the server…',
   go_on: 'You can close this and go on meanwhile.',
   frame_of: (done: number, frames: number) => `Frame ${number(done)} of ${number(frames)}`,
   seconds_left: (seconds: number) =>
@@ -89,8 +90,6 @@ export const export_words = {
   megabytes: (megabytes: number) => `${number(megabytes, 1)} MB`,
 
   failed: 'The export failed',
-  connection_lost: 'The export was given up',
-  connection_lost_detail: 'The connection was lost. Try again once it is back.',
   other_volume: 'The export was given up',
   other_volume_detail: 'Another volume was opened while it was made.',
 };

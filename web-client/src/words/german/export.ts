@@ -79,6 +79,7 @@ export const export_words: Words['export'] = {
   stop: 'Anhalten',
 
   making: { picture: 'Das Bild entsteht', film: 'Der Film entsteht' },
+  waiting: 'Wartet auf den Server…',
   go_on: 'Sie können dies schließen und inzwischen weiterarbeiten.',
   frame_of: (done, frames) => `Bild ${number(done)} von ${number(frames)}`,
   seconds_left: (seconds) => plural(seconds, { one: 'noch # Sekunde', other: 'noch # Sekunden' }),
@@ -89,9 +90,6 @@ export const export_words: Words['export'] = {
   megabytes: (megabytes) => `${number(megabytes, 1)} MB`,
 
   failed: 'Der Export ist gescheitert',
-  connection_lost: 'Der Export wurde aufgegeben',
-  connection_lost_detail:
-    'Die Verbindung ging verloren. Versuchen Sie es noch einmal, sobald sie wieder da ist.',
   other_volume: 'Der Export wurde aufgegeben',
   other_volume_detail: 'Inzwischen wurde ein anderes Volumen geöffnet.',
 };
