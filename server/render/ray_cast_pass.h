@@ -21,7 +21,7 @@ struct RayCastKey {
   std::array<Surface, kBranches> surfaces;
   /// Where a branch lets light through, layers are coloured on the way; nothing else looks here.
   std::optional<std::array<Look, kBranches>> looks;
-  Lens lens;  ///< only what shapes its region; what is left to the composite is at its defaults
+  Lens lens;  ///< only what shapes its region: what the composite alone reads is empty
   double step_voxels = 1.0;
   bool skip_empty_space = true;
   bool operator==(const RayCastKey&) const = default;

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "render/filters/filter_pass.h"
+#include "scene/scene_fields.h"
+#include "scene/scene_visit.h"
 #include "scene/view_geometry.h"
 
 namespace cutaway {
@@ -10,13 +12,11 @@ namespace cutaway {
 namespace {
 
 /// The lens as far as rays are concerned: moving a slider of the composite casts none.
-Lens region_of(const Lens& lens) {
-  const Lens defaults;
-  Lens region = lens;
-  region.strength = defaults.strength;
-  region.softness = defaults.softness;
-  region.strict = defaults.strict;
-  return region;
+Lens region_of(Lens lens) {
+  visit_fields(lens, [](const char* name, auto& value) {
+    if (is_read_only_by(OnlyReader::composite, {{"lens", {{name, nullptr}}}})) value = {};
+  });
+  return lens;
 }
 
 }  // namespace

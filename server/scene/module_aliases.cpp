@@ -59,24 +59,24 @@ void replace_in_module(const Json& modules, Json& module, const std::string& poi
   }
 }
 
-void replace_in_branch(Json& branch, const std::string& pointer) {
-  if (!branch.is_object()) return;
-  const Json& properties = schema("scene").at("properties").at("focus").at("properties");
-  if (branch.contains("shading"))
-    replace_in_module(properties.at("shading"), branch.at("shading"), pointer + "/shading");
-  if (!branch.contains("filters") || !branch.at("filters").is_array()) return;
-  Json& filters = branch.at("filters");
-  for (std::size_t i = 0; i < filters.size(); ++i)
-    replace_in_module(properties.at("filters").at("items"), filters[i],
-                      pointer_to(pointer + "/filters", i));
+/// Wherever the schema has modules.
+void replace_in(const Json& node, Json& value, const std::string& pointer) {
+  if (node.contains("oneOf")) {
+    replace_in_module(node, value, pointer);
+  } else if (value.is_array() && node.contains("items")) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      replace_in(node.at("items"), value[i], pointer_to(pointer, i));
+  } else if (value.is_object()) {
+    for (const auto& [key, field] : value.items())
+      if (const Json* child = property(node, key))
+        replace_in(*child, field, pointer_to(pointer, key));
+  }
 }
 
 }  // namespace
 
 Json without_aliases(Json document) {
-  if (!document.is_object()) return document;
-  for (const char* branch : {"focus", "context"})
-    if (document.contains(branch)) replace_in_branch(document.at(branch), pointer_to("", branch));
+  replace_in(schema("scene"), document, "");
   return document;
 }
 

@@ -1,9 +1,10 @@
-#include <array>
+#include <utility>
 
 #include "core/error.h"
 #include "scene/json_text.h"
 #include "scene/module_aliases.h"
 #include "scene/resolve.h"
+#include "scene/scene_fields.h"
 #include "scene/schema.h"
 #include "scene/schema_node.h"
 #include "scene/schema_words.h"
@@ -61,28 +62,7 @@ Json patch_scene_document(const Json& base, const Json& patch) {
 }
 
 Json without_volume_choices(Json document) {
-  constexpr std::array kChoices = {"/volume",
-                                   "/camera/eye_mm",
-                                   "/camera/target_mm",
-                                   "/camera/up",
-                                   "/camera/view_height_mm",
-                                   "/focus/surface",
-                                   "/context/surface",
-                                   "/lens/centre_mm",
-                                   "/lens/radius_mm",
-                                   "/slices/crosshair_mm",
-                                   "/slices/superior",
-                                   "/slices/anterior",
-                                   "/slices/window",
-                                   "/slices/axial",
-                                   "/slices/coronal",
-                                   "/slices/sagittal"};
-  for (const char* field : kChoices) {
-    const Json::json_pointer pointer(field);
-    if (!document.contains(pointer)) continue;
-    document[pointer.parent_pointer()].erase(pointer.back());
-  }
-  return document;
+  return without_fields(std::move(document), BelongsTo::volume);
 }
 
 }  // namespace cutaway

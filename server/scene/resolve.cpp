@@ -30,40 +30,30 @@ void check_camera(const Camera& camera) {
                  vector_json(camera.up));
 }
 
-Camera resolve_camera(const Json& document, const VolumeFacts& volume, Viewport viewport) {
-  Camera camera;
-  camera.projection = document.at("projection").get<Projection>();
-  camera.vertical_fov_degrees = document.at("vertical_fov_degrees").get<double>();
-  camera.view_height_mm = document.contains("view_height_mm")
-                              ? document.at("view_height_mm").get<double>()
-                              : chosen_view_height_mm(volume, viewport);
-  camera.target_mm = vector_or(document, "target_mm", [&] { return volume_centre_mm(volume); });
-  camera.eye_mm = vector_or(document, "eye_mm", [&] {
-    return chosen_eye_mm(volume, viewport, camera.target_mm, camera.vertical_fov_degrees);
-  });
-  camera.up =
-      vector_or(document, "up", [&] { return chosen_up(camera.target_mm - camera.eye_mm); });
+void complete_camera(Camera& camera, const Json& said, const VolumeFacts& volume,
+                     Viewport viewport) {
+  if (!said.contains("view_height_mm"))
+    camera.view_height_mm = chosen_view_height_mm(volume, viewport);
+  if (!said.contains("target_mm")) camera.target_mm = volume_centre_mm(volume);
+  if (!said.contains("eye_mm"))
+    camera.eye_mm = chosen_eye_mm(volume, viewport, camera.target_mm, camera.vertical_fov_degrees);
+  if (!said.contains("up")) camera.up = chosen_up(camera.target_mm - camera.eye_mm);
   check_camera(camera);
-  return camera;
 }
 
-double iso_value_of(const Json& surface, double chosen) {
-  if (surface.contains("iso_value")) return surface.at("iso_value").get<double>();
+double chosen_iso_value(double value) {
   const NumberRange range =
       number_range("scene", "/properties/focus/properties/surface/properties/iso_value");
-  return std::clamp(chosen, range.minimum, range.maximum);
+  return std::clamp(value, range.minimum, range.maximum);
 }
 
-Surface resolve_surface(const Json& document, double chosen_iso_value, const std::string& branch) {
-  Surface surface;
-  surface.band.lower = iso_value_of(document, chosen_iso_value);
-  surface.opacity = document.at("opacity").get<double>();
-  if (!document.contains("upper_value")) return surface;
-  surface.band.upper = document.at("upper_value").get<double>();
-  if (surface.band.upper > surface.band.lower) return surface;
-  refuse_scene(("/" + branch + "/surface/upper_value").c_str(), "the band is empty",
-               ("a value above iso_value, which is " + json_text(surface.band.lower)).c_str(),
-               document.at("upper_value"));
+void complete_surface(Surface& surface, const Json& said, double iso_value,
+                      const std::string& branch) {
+  if (!said.contains("iso_value")) surface.band.lower = chosen_iso_value(iso_value);
+  if (surface.band.upper > surface.band.lower) return;
+  refuse_scene("/" + branch + "/surface/upper_value", "the band is empty",
+               "a value above iso_value, which is " + json_text(surface.band.lower),
+               said.at("upper_value"));
 }
 
 void refuse_repeated_filters(const std::vector<Module>& filters, const std::string& branch) {
@@ -76,42 +66,27 @@ void refuse_repeated_filters(const std::vector<Module>& filters, const std::stri
   }
 }
 
-Branch resolve_branch(const Json& document, double chosen_iso_value, const std::string& name) {
-  Branch branch;
-  branch.surface = resolve_surface(document.at("surface"), chosen_iso_value, name);
-  branch.shading = module_from(document.at("shading"));
-  for (const Json& filter : document.at("filters")) branch.filters.push_back(module_from(filter));
+void complete_branch(Branch& branch, const Json& said, double iso_value, const std::string& name) {
+  complete_surface(branch.surface, said.at("surface"), iso_value, name);
   refuse_repeated_filters(branch.filters, name);
-  return branch;
 }
 
-Lens resolve_lens(const Json& document, const VolumeFacts& volume, const Scene& scene,
-                  LensMemory& lenses) {
-  Lens lens;
-  lens.mode = document.at("mode").get<LensMode>();
-  lens.shape = module_from(document.at("shape"));
-  lens.cap = document.at("cap").get<LensCap>();
-  lens.strength = document.at("strength").get<double>();
-  lens.softness = document.at("softness").get<double>();
-  lens.strict = document.at("strict").get<bool>();
-  if (document.contains("radius_mm")) lens.radius_mm = document.at("radius_mm").get<double>();
-  if (document.contains("centre_mm")) lens.centre_mm = vector_from(document.at("centre_mm"));
-  if (document.contains("radius_mm") && document.contains("centre_mm")) return lens;
+void complete_lens(Scene& scene, const Json& said, const VolumeFacts& volume, LensMemory& lenses) {
+  const bool has_radius = said.contains("radius_mm");
+  const bool has_centre = said.contains("centre_mm");
+  if (has_radius && has_centre) return;
   const LensPlacementView view{scene.camera, scene.viewport, scene.context.surface.band,
                                scene.focus.surface.band};
-  const PlacedLens chosen = lenses.lens(
-      volume, view, document.contains("radius_mm") ? std::optional(lens.radius_mm) : std::nullopt);
-  if (!document.contains("radius_mm")) lens.radius_mm = chosen.radius_mm;
-  if (!document.contains("centre_mm")) lens.centre_mm = chosen.centre_mm;
-  return lens;
+  const PlacedLens chosen =
+      lenses.lens(volume, view, has_radius ? std::optional(scene.lens.radius_mm) : std::nullopt);
+  if (!has_radius) scene.lens.radius_mm = chosen.radius_mm;
+  if (!has_centre) scene.lens.centre_mm = chosen.centre_mm;
 }
 
-Light resolve_light(const Json& document) {
-  const Light light{document.at("frame").get<LightFrame>(), vector_from(document.at("direction"))};
+void check_light(const Light& light) {
   if (glm::length(light.direction) < kSmallestLength)
     refuse_scene("/light/direction", "the light has no direction", "a direction",
                  vector_json(light.direction));
-  return light;
 }
 
 }  // namespace
@@ -126,25 +101,22 @@ Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport vi
 Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport viewport,
                     LensMemory& lenses) {
   validate_scene_document(document);
-  const Json complete = with_defaults(without_aliases(document), "scene");
-  Scene scene;
-  scene.volume = complete.value("volume", volume.id);
+  const Json said = with_defaults(without_aliases(document), "scene");
+  Scene scene = scene_from(said);
+  if (!said.contains("volume")) scene.volume = volume.id;
   scene.viewport = viewport;
-  scene.camera = resolve_camera(complete.at("camera"), volume, viewport);
-  scene.focus = resolve_branch(complete.at("focus"), volume.inner_iso_value, "focus");
-  scene.context = resolve_branch(complete.at("context"), volume.outer_iso_value, "context");
-  scene.light = resolve_light(complete.at("light"));
-  scene.slices = resolve_slices(complete.at("slices"), volume);
-  scene.background.colour = vector_from(complete.at("background").at("colour"));
-  scene.lens = resolve_lens(complete.at("lens"), volume, scene, lenses);  // last: it may look long
+  complete_camera(scene.camera, said.at("camera"), volume, viewport);
+  complete_branch(scene.focus, said.at("focus"), volume.inner_iso_value, "focus");
+  complete_branch(scene.context, said.at("context"), volume.outer_iso_value, "context");
+  check_light(scene.light);
+  complete_slices(scene.slices, said.at("slices"), volume);
+  complete_lens(scene, said.at("lens"), volume, lenses);  // last: it may look long
   return scene;
 }
 
 Viewport document_viewport(const Json& document) {
   validate_scene_document(document);
-  const Json viewport = with_defaults(document, "scene").at("viewport");
-  return {viewport.at("width_px").get<int>(), viewport.at("height_px").get<int>(),
-          viewport.at("kind").get<ViewKind>()};
+  return viewport_from(with_defaults(document, "scene").at("viewport"));
 }
 
 }  // namespace cutaway

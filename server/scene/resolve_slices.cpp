@@ -8,11 +8,10 @@ namespace cutaway {
 
 namespace {
 
-glm::dvec3 unit_direction(const Json& document, const char* key) {
-  const glm::dvec3 direction = vector_from(document.at(key));
+glm::dvec3 unit(glm::dvec3 direction, const char* field) {
   if (glm::length(direction) >= kSmallestLength) return glm::normalize(direction);
-  refuse_scene(std::string("/slices/") + key, "the direction has no length", "a direction",
-               document.at(key));
+  refuse_scene(std::string("/slices/") + field, "the direction has no length", "a direction",
+               vector_json(direction));
 }
 
 glm::dvec3 square_to(glm::dvec3 superior, glm::dvec3 anterior, const Json& received) {
@@ -22,34 +21,23 @@ glm::dvec3 square_to(glm::dvec3 superior, glm::dvec3 anterior, const Json& recei
                received);
 }
 
-Window window_from(const Json& document, const VolumeFacts& volume) {
-  return {document.value("centre", volume.window_centre),
-          document.value("width", volume.window_width)};
-}
-
-SliceView view_from(const Json& document, glm::dvec3 chosen_centre_mm) {
-  SliceView view{.centre_mm = vector_or(document, "centre_mm", [&] { return chosen_centre_mm; })};
-  if (document.contains("view_height_mm"))
-    view.view_height_mm = document.at("view_height_mm").get<double>();
-  return view;
+void complete_view(SliceView& view, const Json& said, glm::dvec3 chosen_centre_mm) {
+  if (!said.contains("centre_mm")) view.centre_mm = chosen_centre_mm;
 }
 
 }  // namespace
 
-Slices resolve_slices(const Json& document, const VolumeFacts& volume) {
+void complete_slices(Slices& slices, const Json& said, const VolumeFacts& volume) {
   const glm::dvec3 middle_mm = slices_centre_mm(volume);
-  Slices slices;
-  slices.crosshair_mm =
-      vector_or(document, "crosshair_mm", [&] { return chosen_crosshair_mm(volume); });
-  slices.superior = unit_direction(document, "superior");
+  if (!said.contains("crosshair_mm")) slices.crosshair_mm = chosen_crosshair_mm(volume);
+  slices.superior = unit(slices.superior, "superior");
   slices.anterior =
-      square_to(slices.superior, unit_direction(document, "anterior"), document.at("anterior"));
-  slices.convention = document.at("convention").get<SliceConvention>();
-  slices.window = window_from(document.at("window"), volume);
-  slices.axial = view_from(document.at("axial"), middle_mm);
-  slices.coronal = view_from(document.at("coronal"), middle_mm);
-  slices.sagittal = view_from(document.at("sagittal"), middle_mm);
-  return slices;
+      square_to(slices.superior, unit(slices.anterior, "anterior"), said.at("anterior"));
+  if (!said.at("window").contains("centre")) slices.window.centre = volume.window_centre;
+  if (!said.at("window").contains("width")) slices.window.width = volume.window_width;
+  complete_view(slices.axial, said.at("axial"), middle_mm);
+  complete_view(slices.coronal, said.at("coronal"), middle_mm);
+  complete_view(slices.sagittal, said.at("sagittal"), middle_mm);
 }
 
 }  // namespace cutaway

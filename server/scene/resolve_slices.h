@@ -9,6 +9,6 @@ namespace cutaway {
 
 /// `document`: the scene's `slices` with its schema's defaults. Throws Error where its directions
 /// span no plane.
-Slices resolve_slices(const Json& document, const VolumeFacts& volume);
+void complete_slices(Slices& slices, const Json& said, const VolumeFacts& volume);
 
 }  // namespace cutaway

@@ -1,6 +1,6 @@
 // What a frame shows, as checked values. The schema protocol/schema/scene.schema.json is the one
 // place that says ranges, units and defaults; these types hold what has passed it and been resolved
-// for a volume.
+// for a volume. What they begin with is nothing, and no default.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -28,9 +28,9 @@ struct Camera {
   Projection projection = Projection::perspective;
   glm::dvec3 eye_mm{0.0};
   glm::dvec3 target_mm{0.0};
-  glm::dvec3 up{0.0, 0.0, 1.0};
-  double vertical_fov_degrees = 30.0;  ///< perspective
-  double view_height_mm = 300.0;       ///< orthographic: what the viewport's height spans
+  glm::dvec3 up{0.0};
+  double vertical_fov_degrees = 0.0;  ///< perspective
+  double view_height_mm = 0.0;        ///< orthographic: what the viewport's height spans
   bool operator==(const Camera&) const = default;
 };
 
@@ -46,7 +46,7 @@ struct Viewport {
 /// The material that a branch draws.
 struct Surface {
   ValueBand band;        ///< physical values
-  double opacity = 1.0;  ///< of one millimetre; 1: opaque from its surface on
+  double opacity = 0.0;  ///< of one millimetre; 1: opaque from its surface on
   bool operator==(const Surface&) const = default;
 };
 
@@ -62,14 +62,14 @@ enum class LensMode { none, cutaway, magic };
 enum class LensCap { flat, gradient, open };
 
 struct Lens {
-  LensMode mode = LensMode::cutaway;
-  Module shape{"sphere", Json::object()};
+  LensMode mode = LensMode::none;
+  Module shape;
   glm::dvec3 centre_mm{0.0};
   double radius_mm = 0.0;
   LensCap cap = LensCap::flat;
-  double strength = 0.85;  ///< magic: the focus' share in the middle, 0..1
-  double softness = 0.35;  ///< magic: share of the radius over which it fades out, 0..1
-  bool strict = false;     ///< magic: the context fades where the focus is empty, too
+  double strength = 0.0;  ///< magic: the focus' share in the middle, 0..1
+  double softness = 0.0;  ///< magic: share of the radius over which it fades out, 0..1
+  bool strict = false;    ///< magic: the context fades where the focus is empty, too
   bool operator==(const Lens&) const = default;
 };
 
@@ -77,8 +77,7 @@ enum class LightFrame { camera, patient };
 
 struct Light {
   LightFrame frame = LightFrame::camera;
-  glm::dvec3 direction{-0.5, 0.7,
-                       0.5};  ///< towards the light; camera frame: x right, y up, z to the viewer
+  glm::dvec3 direction{0.0};  ///< towards the light; camera frame: x right, y up, z to the viewer
   bool operator==(const Light&) const = default;
 };
 
@@ -92,7 +91,7 @@ enum class SliceConvention { radiological, neurological };
 /// Which physical values are drawn from black to white.
 struct Window {
   double centre = 0.0;
-  double width = 1.0;
+  double width = 0.0;
   bool operator==(const Window&) const = default;
 };
 
@@ -106,8 +105,8 @@ struct SliceView {
 /// Three planes through one point, square to each other; patient space, mm.
 struct Slices {
   glm::dvec3 crosshair_mm{0.0};
-  glm::dvec3 superior{0.0, 0.0, 1.0};   ///< unit; normal of the axial plane
-  glm::dvec3 anterior{0.0, -1.0, 0.0};  ///< unit, square to superior; normal of the coronal plane
+  glm::dvec3 superior{0.0};  ///< unit; normal of the axial plane
+  glm::dvec3 anterior{0.0};  ///< unit, square to superior; normal of the coronal plane
   SliceConvention convention = SliceConvention::radiological;
   Window window;
   SliceView axial;

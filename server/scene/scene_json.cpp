@@ -1,72 +1,84 @@
 #include "scene/scene_json.h"
 
+#include <cmath>
+#include <type_traits>
+
 #include "scene/resolve.h"
+#include "scene/scene_visit.h"
+#include "scene/schema.h"
 
 namespace cutaway {
 
 namespace {
 
-Json json_from(const Camera& camera) {
-  return {{"projection", camera.projection},
-          {"eye_mm", vector_json(camera.eye_mm)},
-          {"target_mm", vector_json(camera.target_mm)},
-          {"up", vector_json(camera.up)},
-          {"vertical_fov_degrees", camera.vertical_fov_degrees},
-          {"view_height_mm", camera.view_height_mm}};
-}
-
-Json json_from(const Surface& surface) {
-  Json object{{"iso_value", surface.band.lower}, {"opacity", surface.opacity}};
-  if (surface.band.has_upper_end()) object["upper_value"] = surface.band.upper;
-  return object;
-}
-
-Json json_from(const Branch& branch) {
-  Json filters = Json::array();
-  for (const Module& filter : branch.filters) filters.push_back(module_json(filter));
-  return {{"surface", json_from(branch.surface)},
-          {"shading", module_json(branch.shading)},
-          {"filters", std::move(filters)}};
-}
-
-Json json_from(const Lens& lens) {
-  return {{"mode", lens.mode},
-          {"shape", module_json(lens.shape)},
-          {"centre_mm", vector_json(lens.centre_mm)},
-          {"radius_mm", lens.radius_mm},
-          {"cap", lens.cap},
-          {"strength", lens.strength},
-          {"softness", lens.softness},
-          {"strict", lens.strict}};
-}
-
-Json json_from(const Light& light) {
-  return {{"frame", light.frame}, {"direction", vector_json(light.direction)}};
-}
-
-Json json_from(const SliceView& view) {
-  Json object{{"centre_mm", vector_json(view.centre_mm)}};
-  if (view.view_height_mm) object["view_height_mm"] = *view.view_height_mm;
-  return object;
-}
-
-Json json_from(const Slices& slices) {
-  return {{"crosshair_mm", vector_json(slices.crosshair_mm)},
-          {"superior", vector_json(slices.superior)},
-          {"anterior", vector_json(slices.anterior)},
-          {"convention", slices.convention},
-          {"window", {{"centre", slices.window.centre}, {"width", slices.window.width}}},
-          {"axial", json_from(slices.axial)},
-          {"coronal", json_from(slices.coronal)},
-          {"sagittal", json_from(slices.sagittal)}};
-}
-
-}  // namespace
-
 Module module_from(const Json& object) {
   Module module{object.at("name").get<std::string>(), object};
   module.parameters.erase("name");
   return module;
+}
+
+void read(const Json& said, std::string& text) { text = said.get<std::string>(); }
+void read(const Json& said, glm::dvec3& vector) { vector = vector_from(said); }
+void read(const Json& said, std::optional<double>& number) { number = said.get<double>(); }
+void read(const Json& said, Module& module) { module = module_from(said); }
+void read(const Json& said, std::vector<Module>& modules) {
+  modules.clear();
+  for (const Json& module : said) modules.push_back(module_from(module));
+}
+
+/// A number, a choice, or a struct that scene_visit.h knows.
+template <typename T>
+void read(const Json& said, T& value) {
+  if constexpr (!std::is_class_v<T>)
+    value = said.get<T>();
+  else
+    visit_fields(value, [&said](const char* name, auto& field) {
+      if (const auto found = said.find(name); found != said.end()) read(*found, field);
+    });
+}
+
+bool is_there(const std::optional<double>& number) { return number.has_value(); }
+bool is_there(double number) { return std::isfinite(number); }
+template <typename T>
+bool is_there(const T& /*value*/) {
+  return true;
+}
+
+Json written(const std::string& text) { return text; }
+Json written(const glm::dvec3& vector) { return vector_json(vector); }
+Json written(const std::optional<double>& number) { return *number; }
+Json written(const Module& module) { return module_json(module); }
+Json written(const std::vector<Module>& modules) {
+  Json list = Json::array();
+  for (const Module& module : modules) list.push_back(module_json(module));
+  return list;
+}
+
+template <typename T>
+Json written(const T& value) {
+  if constexpr (!std::is_class_v<T>) {
+    return value;
+  } else {
+    Json object = Json::object();
+    visit_fields(value, [&object](const char* name, const auto& field) {
+      if (is_there(field)) object[name] = written(field);
+    });
+    return object;
+  }
+}
+
+}  // namespace
+
+Scene scene_from(const Json& document) {
+  Scene scene;
+  read(document, scene);
+  return scene;
+}
+
+Viewport viewport_from(const Json& said) {
+  Viewport viewport;
+  read(said, viewport);
+  return viewport;
 }
 
 Json module_json(const Module& module) {
@@ -76,15 +88,9 @@ Json module_json(const Module& module) {
 }
 
 Json scene_document(const Scene& scene) {
-  return {{"version", 1},
-          {"volume", scene.volume},
-          {"camera", json_from(scene.camera)},
-          {"focus", json_from(scene.focus)},
-          {"context", json_from(scene.context)},
-          {"lens", json_from(scene.lens)},
-          {"light", json_from(scene.light)},
-          {"background", {{"colour", vector_json(scene.background.colour)}}},
-          {"slices", json_from(scene.slices)}};
+  Json document = written(scene);
+  document["version"] = schema("scene").at("properties").at("version").at("const");
+  return document;
 }
 
 }  // namespace cutaway

@@ -26,15 +26,12 @@ inline glm::dvec3 vector_from(const Json& array) {
   return {array.at(0).get<double>(), array.at(1).get<double>(), array.at(2).get<double>()};
 }
 
-/// What the object says at the key, or what `choose` gives.
-template <typename Choose>
-glm::dvec3 vector_or(const Json& object, const char* key, const Choose& choose) {
-  return object.contains(key) ? vector_from(object.at(key)) : choose();
-}
-
 inline Json vector_json(glm::dvec3 vector) { return Json::array({vector.x, vector.y, vector.z}); }
 
-Module module_from(const Json& object);
+/// What a document says; the fields of which it says nothing are as a Scene{} has them.
+Scene scene_from(const Json& document);
+Viewport viewport_from(const Json& said);
+
 Json module_json(const Module& module);
 
 }  // namespace cutaway

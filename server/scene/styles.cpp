@@ -1,33 +1,21 @@
 #include "scene/styles.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/error.h"
 #include "scene/embedded.h"
 #include "scene/module_aliases.h"
+#include "scene/scene_fields.h"
 #include "scene/schema.h"
 
 namespace cutaway {
 
 namespace {
 
-/// What makes a look; the rest (volume, camera, surfaces, the lens' place) is the viewer's own.
-constexpr std::array kLook = {"/focus/shading",   "/focus/filters", "/context/shading",
-                              "/context/filters", "/lens/mode",     "/lens/cap",
-                              "/lens/strength",   "/lens/softness", "/lens/strict",
-                              "/light",           "/background"};
-
 /// Every style says all of a look, so that one replaces another: what its file leaves out comes
 /// from the schema's defaults.
 Json completed(const Json& scene) {
-  const Json filled = with_defaults(without_aliases(scene), "scene");
-  Json result = Json::object();
-  for (const char* part : kLook) {
-    const Json::json_pointer pointer(part);
-    result[pointer] = filled.at(pointer);
-  }
-  return result;
+  return only_fields(with_defaults(without_aliases(scene), "scene"), BelongsTo::look);
 }
 
 Style style_from(const Json& file) {

@@ -9,8 +9,6 @@ namespace cutaway {
 
 namespace {
 
-constexpr Viewport kAnyViewport{1024, 768};
-
 // Does the complete document have a field that the other leaves open? Values that were only brought
 // into another form (an up direction made square to the view) do not count.
 bool says_more(const Json& complete, const Json& document) {
@@ -63,7 +61,7 @@ SceneState::Change SceneState::commit(Json document, const Viewports& viewports,
   const Viewport viewport = viewports[static_cast<std::size_t>(ViewKind::volume)];
   if (volume && !has_size(viewport)) {
     // Throws now what it would throw later.
-    resolve_scene(document, volume->facts(), kAnyViewport, lenses_);
+    resolve_scene(document, volume->facts(), document_viewport(Json::object()), lenses_);
   } else if (volume) {
     const Scene resolved = resolve_scene(document, volume->facts(), viewport, lenses_);
     Json complete = scene_document(resolved);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/scene_fields.h"
 #include "scene/styles.h"
 #include "session/pick.h"
 #include "session/session.h"
@@ -19,10 +20,7 @@ Error no_volume() {
 }
 
 /// Whoever waits for the 3-D picture of such a change is to hear that none will come.
-bool awaits_picture(const Json& patch) {
-  return std::ranges::any_of(patch.items(),
-                             [](const auto& field) { return field.key() != "slices"; });
-}
+bool awaits_picture(const Json& patch) { return !is_read_only_by(OnlyReader::slices, patch); }
 
 std::optional<PickedPoint> picked_surface(const Scene& scene, const OpenVolume& volume,
                                           glm::dvec2 position_px) {

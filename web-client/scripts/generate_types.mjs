@@ -46,11 +46,43 @@ function fieldFacts(schema, definitions) {
   return Object.fromEntries(Object.entries(facts).filter(([, value]) => value !== undefined));
 }
 
+/** Follows $refs, also into another file; what is said beside a $ref wins. */
+function resolved(schemas, { $ref: reference, ...said }, file) {
+  if (reference === undefined) return { node: said, file };
+  const [other, pointer = ''] = reference.split('#');
+  const target_file = other === '' ? file : other.replace('.schema.json', '');
+  const target = pointer
+    .split('/')
+    .slice(1)
+    .reduce((node, token) => node[token], schemas[target_file]);
+  const { node, file: found_in } = resolved(schemas, target, target_file);
+  return { node: { ...node, ...said }, file: found_in };
+}
+
+/** Every field of the scene with what the schema says it belongs to; a module is one field. */
+function scenePaths(schemas, schema, file, path) {
+  const { node, file: found_in } = resolved(schemas, schema, file);
+  const belongs_to = node['x-belongs-to'];
+  if (belongs_to !== undefined)
+    return [{ path, belongs_to, optional: node['x-optional'] === true }];
+  if (!node.properties) throw new Error(`the schema does not say what belongs to ${path}`);
+  return Object.entries(node.properties).flatMap(([name, child]) =>
+    scenePaths(schemas, child, found_in, [...path, name]),
+  );
+}
+
+/** The scene's own fields that one part of a picture's making alone reads. */
+const groupsReadBy = (scene, reader) =>
+  Object.entries(scene.properties)
+    .filter(([, node]) => node['x-read-by'] === reader)
+    .map(([name]) => name);
+
 const readSchema = async (name) =>
   JSON.parse(await readFile(`${schemaFolder}${name}.schema.json`, 'utf8'));
 
 async function writeSceneFields() {
-  const [scene, client] = await Promise.all(['scene', 'client-message'].map(readSchema));
+  const names = ['scene', 'modules', 'client-message', 'style'];
+  const [scene, modules, client, style] = await Promise.all(names.map(readSchema));
   const fields = {};
   for (const group of ['camera', 'surface', 'lens', 'light', 'background', 'window']) {
     for (const [name, schema] of Object.entries(scene.definitions[group].properties)) {
@@ -59,7 +91,15 @@ async function writeSceneFields() {
   }
   fields['filters'] = { maximum: scene.definitions.filters.maxItems };
   const side = fieldFacts(client.definitions.preview_side_px, {});
-  const constants = { SCENE_FIELDS: fields, PREVIEW_SIDE_PX: side };
+  const constants = {
+    SCENE_FIELDS: fields,
+    SCENE_PATHS: scenePaths({ scene, modules }, scene, 'scene', []),
+    SCENE_GROUPS: Object.keys(scene.properties),
+    SLICES_GROUPS: groupsReadBy(scene, 'slices'),
+    SCENE_VERSION: scene.properties.version.const,
+    STYLE_FIELDS: Object.keys(style.properties),
+    PREVIEW_SIDE_PX: side,
+  };
   const lines = Object.entries(constants).map(
     ([name, value]) => `export const ${name} = ${JSON.stringify(value, null, 2)} as const;\n`,
   );

@@ -25,7 +25,11 @@ const ajv = new Ajv({
   strictTypes: false,
   allErrors: false,
   schemas,
-  keywords: ['x-unit', 'x-step', 'x-level', 'x-kind', 'x-alias'],
+  keywords: ['x-unit', 'x-step', 'x-level', 'x-kind', 'x-alias'].concat(
+    'x-belongs-to',
+    'x-optional',
+    'x-read-by',
+  ),
 });
 
 function validates(schema_name: string, document: unknown): boolean {

@@ -41,7 +41,12 @@ describe('a look', () => {
       volume: 'head',
       camera: scene.camera,
       focus: { shading: { name: 'phong' } },
-      lens: { mode: 'magic', centre_mm: [0, -80, 0], radius_mm: 30 },
+      lens: {
+        mode: 'magic',
+        shape: { name: 'sphere' },
+        centre_mm: [0, -80, 0],
+        radius_mm: 30,
+      },
     });
   });
 });

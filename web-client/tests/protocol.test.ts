@@ -1,3 +1,5 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { Counter, isAfter } from '../src/protocol/counter.ts';
 import { decodeFrame, FrameHeaderError } from '../src/protocol/frame_header.ts';
@@ -40,6 +42,29 @@ function frameBytes({
   new Uint8Array(view.buffer).set([1, 2, 3, 4], length);
   return view.buffer;
 }
+
+const fixture_folder = fileURLToPath(
+  new URL('../../protocol/fixtures/frame_header/', import.meta.url),
+);
+const binaryFixtures = (kind: 'valid' | 'invalid'): string[] =>
+  readdirSync(`${fixture_folder}${kind}`).filter((name) => name.endsWith('.bin'));
+/** In a buffer of its own, as a WebSocket gives it. */
+const bytesOf = (path: string): ArrayBuffer =>
+  new Uint8Array(readFileSync(`${fixture_folder}${path}`)).buffer;
+
+describe('the frame header in the protocol’s fixtures', () => {
+  it.each(binaryFixtures('valid'))('is read: %s', (name) => {
+    const text = readFileSync(`${fixture_folder}valid/${name.replace('.bin', '.json')}`, 'utf8');
+    const { picture: expected_picture, ...expected } = JSON.parse(text) as { picture: number[] };
+    const { header, picture } = decodeFrame(bytesOf(`valid/${name}`));
+    expect(header).toEqual(expected);
+    expect([...picture]).toEqual(expected_picture);
+  });
+
+  it.each(binaryFixtures('invalid'))('is refused: %s', (name) => {
+    expect(() => decodeFrame(bytesOf(`invalid/${name}`))).toThrow(FrameHeaderError);
+  });
+});
 
 describe('the frame header', () => {
   it('is read field by field', () => {

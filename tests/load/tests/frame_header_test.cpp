@@ -2,11 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace cutaway::load {
 namespace {
 
+namespace fs = std::filesystem;
 using namespace std::string_literals;
 
 /// A whole message, byte by byte as protocol/README.md has it, with a picture of 3 bytes.
@@ -31,27 +38,44 @@ std::string complaint(const std::string& text) {
   return {};
 }
 
-TEST(FrameHeader, IsReadAsTheProtocolHasIt) {
-  const FrameHeader header = parse_frame_header(message());
-  EXPECT_EQ(header.type, FrameHeader::Type::live);
-  EXPECT_TRUE(header.still);
-  EXPECT_EQ(header.number, 7U);
-  EXPECT_EQ(header.revision, 5U);
-  EXPECT_EQ(header.input, 0xffffffffU);
-  EXPECT_EQ(header.clock_ms, 1234.5);
-  EXPECT_EQ(header.render_us, 10000U);
-  EXPECT_EQ(header.encode_us, 1000U);
-  EXPECT_EQ(header.width_px, 320);
-  EXPECT_EQ(header.height_px, 240);
-  EXPECT_EQ(header.picture_bytes, 3U);
+std::vector<fs::path> fixtures(const char* kind) {
+  std::vector<fs::path> paths;
+  const fs::path folder = fs::path(CUTAWAY_SOURCE_DIR) / "protocol/fixtures/frame_header" / kind;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".bin") paths.push_back(entry.path());
+  return paths;
 }
 
-TEST(FrameHeader, MayHaveGrown) {
-  std::string longer = message();
-  longer[4] = 2;
-  longer[8] = 60;
-  longer.insert(56, 4, '\0');
-  EXPECT_EQ(parse_frame_header(longer).number, 7U);
+std::string content(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TEST(FrameHeader, IsReadAsTheProtocolsFixtures) {
+  EXPECT_FALSE(fixtures("valid").empty());
+  for (fs::path path : fixtures("valid")) {
+    const FrameHeader header = parse_frame_header(content(path));
+    const auto expected = nlohmann::json::parse(content(path.replace_extension(".json")));
+    constexpr std::array kTypes{"", "live", "saved_still", "preview"};
+    EXPECT_EQ(kTypes.at(static_cast<std::size_t>(header.type)), expected.at("type")) << path;
+    EXPECT_EQ(header.still, expected.at("still")) << path;
+    EXPECT_EQ(header.number, expected.at("frame")) << path;
+    EXPECT_EQ(header.revision, expected.at("revision")) << path;
+    EXPECT_EQ(header.input, expected.at("input")) << path;
+    EXPECT_EQ(header.clock_ms, expected.at("clock_ms")) << path;
+    EXPECT_EQ(header.render_us, expected.at("render_us")) << path;
+    EXPECT_EQ(header.encode_us, expected.at("encode_us")) << path;
+    EXPECT_EQ(header.width_px, expected.at("width_px")) << path;
+    EXPECT_EQ(header.height_px, expected.at("height_px")) << path;
+    EXPECT_EQ(header.picture_bytes, expected.at("picture").size()) << path;
+  }
+}
+
+TEST(FrameHeader, RefusesTheProtocolsInvalidFixtures) {
+  EXPECT_FALSE(fixtures("invalid").empty());
+  for (const fs::path& path : fixtures("invalid"))
+    EXPECT_FALSE(complaint(content(path)).empty()) << path;
 }
 
 TEST(FrameHeader, IsRefusedWhenCutShortAnywhere) {

@@ -141,14 +141,15 @@ TEST(Script, InvalidFixturesAreRefusedWithCodeAndField) {
   }
 }
 
-TEST(Script, ShippedScriptsAreAccepted) {
-  int count = 0;
-  for (const auto& entry :
-       fs::directory_iterator(fs::path(CUTAWAY_SOURCE_DIR) / "tests/load/scripts")) {
-    EXPECT_FALSE(read_script(entry.path()).description.empty()) << entry.path();
-    ++count;
+TEST(Script, ShippedScriptsOfTodayAndOfOldAreAccepted) {
+  for (const char* folder : {"tests/load/scripts", "tests/golden/load_scripts"}) {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(fs::path(CUTAWAY_SOURCE_DIR) / folder)) {
+      EXPECT_FALSE(read_script(entry.path()).description.empty()) << entry.path();
+      ++count;
+    }
+    EXPECT_EQ(count, 5) << folder;
   }
-  EXPECT_EQ(count, 5);
 }
 
 TEST(Roles, AreAssignedByTheirShares) {

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The load script's belong to tests/load: the server does not know that schema.
-std::vector<fs::path> files(const char* folder) {
+std::vector<fs::path> files(const std::string& folder) {
   std::vector<fs::path> paths;
   for (const auto& entry :
        fs::directory_iterator(fs::path(CUTAWAY_SOURCE_DIR) / "protocol/fixtures" / folder)) {
@@ -57,6 +57,23 @@ std::vector<Fixture> invalid_fixtures() {
     const std::string text = wrapper.contains("text") ? wrapper.at("text").get<std::string>()
                                                       : wrapper.at("document").dump();
     fixtures.push_back({path.stem(), wrapper.at("schema"), text, wrapper.at("error")});
+  }
+  return fixtures;
+}
+
+std::map<std::string, Json> json_fixtures(const std::string& folder) {
+  std::map<std::string, Json> fixtures;
+  for (const fs::path& path : files(folder))
+    if (path.extension() == ".json") fixtures.emplace(path.stem(), Json::parse(content(path)));
+  return fixtures;
+}
+
+std::map<std::string, std::vector<std::uint8_t>> binary_fixtures(const std::string& folder) {
+  std::map<std::string, std::vector<std::uint8_t>> fixtures;
+  for (const fs::path& path : files(folder)) {
+    if (path.extension() != ".bin") continue;
+    const std::string bytes = content(path);
+    fixtures.emplace(path.stem(), std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
   }
   return fixtures;
 }

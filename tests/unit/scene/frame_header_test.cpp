@@ -3,10 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
+#include <array>
 #include <vector>
 
 #include "core/error.h"
+#include "unit/scene/fixtures.h"
 
 namespace cutaway {
 namespace {
@@ -36,31 +37,44 @@ std::vector<std::uint8_t> message_of(const FrameHeader& header,
   return message;
 }
 
-TEST(FrameHeader, HasTheBytesOfTheProtocol) {
-  const std::array<std::uint8_t, kFrameHeaderBytes> by_hand{
-      'C',  'T',  'W',  'F',                     // magic
-      1,    1,    1,    0,                       // version, live frame, still quality, reserved
-      56,   0,    0,    0,                       // header length, view
-      0x01, 0x02, 0x03, 0x04,                    // frame
-      7,    0,    0,    0,                       // revision
-      0xFF, 0xFF, 0xFF, 0xFF,                    // input
-      0,    0,    0,    0,    0, 0, 0xF0, 0x3F,  // 1.0
-      0x45, 0x23, 0x01, 0,                       // render
-      0x2C, 0x01, 0,    0,                       // encode
-      0x00, 0x04, 0x00, 0x03,                    // picture
-      0xCD, 0xAB, 1,    0,                       // viewport
-      3,    0,    0,    0,                       // bytes
-      0,    0,    0,    0};                      // reserved
-  EXPECT_EQ(encode_frame_header(example()), by_hand);
+/// As the fixtures' JSON has it.
+Json described(const DecodedFrame& frame) {
+  const FrameHeader& header = frame.header;
+  constexpr std::array kTypes{"", "live", "saved_still", "preview"};
+  return {{"type", kTypes.at(static_cast<std::size_t>(header.type))},
+          {"still", header.still_quality},
+          {"lossless", header.lossless},
+          {"view", header.view},
+          {"frame", header.frame},
+          {"revision", header.revision},
+          {"input", header.input},
+          {"clock_ms", header.clock_ms},
+          {"render_us", header.render_us},
+          {"encode_us", header.encode_us},
+          {"width_px", header.picture_width_px},
+          {"height_px", header.picture_height_px},
+          {"viewport_width_px", header.viewport_width_px},
+          {"viewport_height_px", header.viewport_height_px},
+          {"picture", std::vector<std::uint8_t>(frame.picture.begin(), frame.picture.end())}};
 }
 
-TEST(FrameHeader, MarksAStill) {
-  FrameHeader header = example();
-  header.type = PictureType::saved_still;
-  header.still_quality = false;
-  header.lossless = true;
-  EXPECT_EQ(encode_frame_header(header)[5], 2);
-  EXPECT_EQ(encode_frame_header(header)[6], 2);
+TEST(FrameHeader, IsReadAndWrittenAsTheProtocolsFixtures) {
+  const auto fixtures = binary_fixtures("frame_header/valid");
+  EXPECT_EQ(fixtures.size(), json_fixtures("frame_header/valid").size());
+  for (const auto& [name, expected] : json_fixtures("frame_header/valid")) {
+    const auto& message = fixtures.at(name);
+    const DecodedFrame frame = decode_frame(message);
+    EXPECT_EQ(described(frame), expected) << name;
+    if (message.size() != kFrameHeaderBytes + frame.picture.size()) continue;  // a longer header
+    EXPECT_EQ(message_of(frame.header, {frame.picture.begin(), frame.picture.end()}), message)
+        << name;
+  }
+}
+
+TEST(FrameHeader, RefusesTheProtocolsInvalidFixtures) {
+  const auto fixtures = binary_fixtures("frame_header/invalid");
+  EXPECT_FALSE(fixtures.empty());
+  for (const auto& [name, message] : fixtures) EXPECT_THROW(decode_frame(message), Error) << name;
 }
 
 TEST(FrameHeader, IsReadBackWithItsPicture) {
@@ -68,30 +82,6 @@ TEST(FrameHeader, IsReadBackWithItsPicture) {
   const DecodedFrame frame = decode_frame(message);
   EXPECT_EQ(frame.header, example());
   EXPECT_TRUE(std::ranges::equal(frame.picture, std::vector<std::uint8_t>{9, 8, 7}));
-}
-
-TEST(FrameHeader, OfALaterVersionIsReadAsFarAsKnown) {
-  auto message = message_of(example(), {9, 8, 7});
-  message[4] = 2;
-  message[8] = 60;
-  message.insert(message.begin() + 56, {1, 2, 3, 4});
-  const DecodedFrame frame = decode_frame(message);
-  EXPECT_EQ(frame.header, example());
-  EXPECT_EQ(frame.picture.front(), 9);
-}
-
-TEST(FrameHeader, RefusesWhatIsNoFrame) {
-  using Damage = std::function<void(std::vector<std::uint8_t>&)>;
-  const Damage damages[] = {
-      [](auto& m) { m.clear(); },   [](auto& m) { m.resize(55); }, [](auto& m) { m[0] = 'X'; },
-      [](auto& m) { m[5] = 0; },    [](auto& m) { m[5] = 4; },     [](auto& m) { m[8] = 55; },
-      [](auto& m) { m[9] = 0xFF; }, [](auto& m) { m.pop_back(); }, [](auto& m) { m[51] = 0xFF; },
-  };
-  for (const Damage& damage : damages) {
-    auto message = message_of(example(), {9, 8, 7});
-    damage(message);
-    EXPECT_THROW(decode_frame(message), Error);
-  }
 }
 
 }  // namespace

@@ -91,10 +91,11 @@ TEST(Patch, RefusesAModuleThatLosesItsName) {
 TEST(Patch, AnotherVolumeForgetsWhatWasChosenForTheOld) {
   const Json forgotten = without_volume_choices(complete());
   for (const char* field :
-       {"/volume", "/camera/eye_mm", "/camera/target_mm", "/camera/up", "/focus/surface",
-        "/context/surface", "/lens/centre_mm", "/lens/radius_mm"})
+       {"/volume", "/camera/eye_mm", "/camera/target_mm", "/camera/up", "/focus/surface/iso_value",
+        "/context/surface/iso_value", "/lens/centre_mm", "/lens/radius_mm"})
     EXPECT_FALSE(forgotten.contains(Json::json_pointer(field))) << field;
-  for (const char* field : {"/camera/projection", "/focus/shading", "/lens/mode"})
+  for (const char* field :
+       {"/camera/projection", "/focus/shading", "/focus/surface/opacity", "/lens/mode"})
     EXPECT_TRUE(forgotten.contains(Json::json_pointer(field))) << field;
   EXPECT_EQ(without_volume_choices(Json::object()), Json::object());
 }

@@ -77,8 +77,9 @@ TEST(Styles, HaveNamesOfTheirOwn) {
 
 TEST(Styles, SaysNothingOfVolumeCameraOrPlace) {
   for (const Style& style : styles())
-    for (const char* field : {"/volume", "/camera", "/viewport", "/lens/centre_mm",
-                              "/lens/radius_mm", "/focus/surface", "/context/surface"})
+    for (const char* field :
+         {"/volume", "/camera", "/viewport", "/lens/centre_mm", "/lens/radius_mm",
+          "/focus/surface/iso_value", "/context/surface/iso_value"})
       EXPECT_FALSE(style.scene.contains(Json::json_pointer(field))) << style.name << field;
 }
 

@@ -15,6 +15,7 @@ Camera front_camera() {
   camera.eye_mm = {0, -500, 0};
   camera.target_mm = {0, 0, 0};
   camera.up = {0, 0, 1};
+  camera.vertical_fov_degrees = 30.0;
   return camera;
 }
 

@@ -1,5 +1,5 @@
 // What the stand-in server knows of scenes: merging, and choosing what is left open.
-import { modules, sceneDefault, withoutAliases } from './schemas.mjs';
+import { lookFields, modules, sceneDefault, withoutAliases } from './schemas.mjs';
 
 const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
@@ -25,41 +25,44 @@ function whole(kind, module) {
   };
 }
 
+const filled = (group, fields, said) =>
+  Object.fromEntries(fields.map((field) => [field, said?.[field] ?? sceneDefault(group, field)]));
+
+/** What of a group belongs to the look, said whole. */
+const lookOf = (group, said) => filled(group, lookFields(group), said);
+
 function branchLook(branch) {
   return {
+    surface: lookOf('surface', branch?.surface),
     shading: whole('shading', branch?.shading ?? { name: 'tone' }),
     filters: (branch?.filters ?? []).map((filter) => whole('filter', filter)),
   };
 }
-
-const filled = (group, fields, said) =>
-  Object.fromEntries(fields.map((field) => [field, said?.[field] ?? sceneDefault(group, field)]));
 
 /** What makes a look, said whole. */
 export function look({ focus, context, lens, light, background }) {
   return {
     focus: branchLook(focus),
     context: branchLook(context),
-    lens: filled('lens', ['mode', 'cap', 'strength', 'softness', 'strict'], lens),
-    light: filled('light', ['frame', 'direction'], light),
-    background: filled('background', ['colour'], background),
+    lens: lookOf('lens', lens),
+    light: lookOf('light', light),
+    background: lookOf('background', background),
   };
 }
 
-const surface = (said, iso_value) => ({
-  iso_value,
-  opacity: sceneDefault('surface', 'opacity'),
-  ...said,
+const branch = (look, said, iso_value) => ({
+  ...look,
+  surface: { iso_value, ...said?.surface, ...look.surface },
 });
 
 export function resolve(document, volume, viewport) {
   const radius_mm = volume.radii_mm;
   const front = {
-    projection: 'perspective',
+    projection: sceneDefault('camera', 'projection'),
     eye_mm: [0, -620, 0],
     target_mm: [0, 0, 0],
     up: [0, 0, 1],
-    vertical_fov_degrees: 30,
+    vertical_fov_degrees: sceneDefault('camera', 'vertical_fov_degrees'),
     view_height_mm: 330,
   };
   const place = {
@@ -75,8 +78,8 @@ export function resolve(document, volume, viewport) {
     volume: volume.entry.id,
     viewport: { kind: '3d', ...viewport },
     camera: { ...front, ...document.camera },
-    focus: { surface: surface(document.focus?.surface, 250), ...focus },
-    context: { surface: surface(document.context?.surface, -200), ...context },
+    focus: branch(focus, document.focus, 250),
+    context: branch(context, document.context, -200),
     lens: { ...place, ...document.lens, ...lens },
     light,
     background,

@@ -78,3 +78,9 @@ export function withoutAliases(kind, module) {
 /** What a field of the scene is where nothing says it. */
 export const sceneDefault = (group, field) =>
   schemas.get('scene.schema.json').definitions[group].properties[field].default;
+
+/** The group's own fields that belong to the look. */
+export const lookFields = (group) =>
+  Object.entries(schemas.get('scene.schema.json').definitions[group].properties)
+    .filter(([, schema]) => schema['x-belongs-to'] === 'look')
+    .map(([name]) => name);

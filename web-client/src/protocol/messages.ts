@@ -20,4 +20,12 @@ export type {
   VolumeSummary,
   VolumesMessage,
 } from './generated/protocol.ts';
-export { PREVIEW_SIDE_PX, SCENE_FIELDS } from './generated/scene_fields.ts';
+export {
+  PREVIEW_SIDE_PX,
+  SCENE_FIELDS,
+  SCENE_GROUPS,
+  SCENE_PATHS,
+  SCENE_VERSION,
+  SLICES_GROUPS,
+  STYLE_FIELDS,
+} from './generated/scene_fields.ts';

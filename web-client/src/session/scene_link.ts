@@ -1,7 +1,13 @@
 // Sends changes of the scene and keeps the page's scene in step with the server's.
 import { Counter, isAfter } from '../protocol/counter.ts';
-import type { ErrorMessage, Scene, SceneStateMessage } from '../protocol/messages.ts';
-import type { JsonObject } from '../state/merge_patch.ts';
+import {
+  SLICES_GROUPS,
+  type ErrorMessage,
+  type Scene,
+  type SceneStateMessage,
+} from '../protocol/messages.ts';
+import { omit, type JsonObject } from '../state/merge_patch.ts';
+import { fieldsOf, leftOpen } from '../state/scene_fields.ts';
 import { SceneSync } from '../state/scene_sync.ts';
 import type { SlicePicture } from '../state/slice_views.ts';
 import type { Store } from '../state/store.ts';
@@ -17,17 +23,11 @@ import { ShownViews } from './shown_views.ts';
 const clockMs = (): number => performance.timeOrigin + performance.now();
 
 /** What the server chooses anew when another volume is opened. */
-const CHOSEN_FOR_A_VOLUME: JsonObject = {
-  camera: null,
-  lens: { centre_mm: null, radius_mm: null },
-  focus: { surface: null },
-  context: { surface: null },
-  slices: { crosshair_mm: null, window: null, axial: null, coronal: null, sagittal: null },
-};
+const CHOSEN_FOR_A_VOLUME = leftOpen(fieldsOf('volume'));
 
 /** Whether a change of the scene makes another 3-D picture. */
 const changesVolume = (patch: JsonObject): boolean =>
-  Object.keys(patch).some((part) => part !== 'slices');
+  Object.keys(omit(patch, SLICES_GROUPS)).length > 0;
 
 export class SceneLink implements OutboxSender {
   private readonly inputs = new Counter();

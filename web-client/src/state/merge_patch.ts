@@ -54,6 +54,15 @@ export function valueAt(document: Json | undefined, path: readonly string[]): Js
   return place;
 }
 
+/** Both patches, `above` where they disagree. */
+export function layered(below: JsonObject, above: JsonObject): JsonObject {
+  const both = Object.entries(above).map(([key, value]): [string, Json] => {
+    const under = below[key];
+    return [key, isObject(under) && isObject(value) ? layered(under, value) : value];
+  });
+  return { ...below, ...Object.fromEntries(both) };
+}
+
 /** Those fields of an object that are wanted; none where it is no object. */
 export function pick(from: Json | undefined, fields: readonly string[]): JsonObject {
   const object = isObject(from) ? from : {};

@@ -1,7 +1,8 @@
 // The user's own styles: named looks, as the server's styles are (how things look, never which
 // volume, from where, or where it is cut).
-import type { Scene, Style } from '../protocol/messages.ts';
-import { isObject, pick, type Json, type JsonObject } from './merge_patch.ts';
+import { SCENE_VERSION, type Scene, type Style } from '../protocol/messages.ts';
+import type { JsonObject } from './merge_patch.ts';
+import { fieldsOf, onlyFields } from './scene_fields.ts';
 
 export interface OwnStyle {
   /** Unique among the user's own. */
@@ -11,29 +12,10 @@ export interface OwnStyle {
 }
 
 export const LONGEST_TITLE = 80;
-const SCENE_VERSION = 1;
-
-const BRANCH_FIELDS = ['shading', 'filters'];
-/** The ends of a band belong to a volume, its opacity to the look. */
-const SURFACE_FIELDS = ['opacity'];
-const LENS_FIELDS = ['mode', 'cap', 'strength', 'softness', 'strict'];
-const PARTS_TAKEN_WHOLE = ['light', 'background'];
-
-function branchLook(branch: Json | undefined): JsonObject {
-  const surface = pick(isObject(branch) ? branch['surface'] : undefined, SURFACE_FIELDS);
-  return { ...pick(branch, BRANCH_FIELDS), ...(Object.keys(surface).length > 0 && { surface }) };
-}
+const LOOK = fieldsOf('look');
 
 /** What of a scene is its look; an empty object where it says nothing of one. */
-export function lookOf(scene: JsonObject): JsonObject {
-  const parts: [string, JsonObject][] = [
-    ['focus', branchLook(scene['focus'])],
-    ['context', branchLook(scene['context'])],
-    ['lens', pick(scene['lens'], LENS_FIELDS)],
-  ];
-  const said = parts.filter(([, part]) => Object.keys(part).length > 0);
-  return { ...Object.fromEntries(said), ...pick(scene, PARTS_TAKEN_WHOLE) };
-}
+export const lookOf = (scene: JsonObject): JsonObject => onlyFields(scene, LOOK);
 
 export function ownStyle(title: string, scene: JsonObject): OwnStyle {
   return { title: cleanTitle(title), scene: { version: SCENE_VERSION, ...lookOf(scene) } };

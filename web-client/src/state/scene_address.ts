@@ -1,6 +1,6 @@
 // The scene in the page's address: '#1.' and the document, deflated, in URL-safe base64. Numbers
 // keep seven digits, which is a thousandth of a millimetre at ten metres.
-import { isObject, type Json, type JsonObject } from './merge_patch.ts';
+import { isObject, omit, type Json, type JsonObject } from './merge_patch.ts';
 import type { Words } from '../words/words.ts';
 
 const FORMAT = '1';
@@ -53,13 +53,9 @@ async function readLimited(stream: ReadableStream<Uint8Array>): Promise<string> 
   return text + decoder.decode();
 }
 
-/** The size of the picture belongs to a window, not to a link. */
-function portable(scene: JsonObject): JsonObject {
-  return Object.fromEntries(Object.entries(scene).filter(([key]) => key !== 'viewport'));
-}
-
 export async function sceneToAddress(scene: JsonObject): Promise<string> {
-  const bytes = new TextEncoder().encode(JSON.stringify(portable(scene), rounded));
+  // The size of the picture belongs to a window, not to a link.
+  const bytes = new TextEncoder().encode(JSON.stringify(omit(scene, ['viewport']), rounded));
   const deflated = await new Response(
     pipe(bytes, new CompressionStream('deflate-raw')),
   ).arrayBuffer();

@@ -1,12 +1,12 @@
 // Parts of a scene in the form that the view's mathematics takes.
-import type { Scene } from '../protocol/messages.ts';
+import { SCENE_FIELDS, type Scene } from '../protocol/messages.ts';
 import type { Camera } from '../view/camera.ts';
 import { cameraProjection, type ViewProjection } from '../view/view_projection.ts';
 import { shownSlice } from './slice_views.ts';
 import type { ViewerState } from './viewer_state.ts';
 import type { ViewName } from './views.ts';
 
-export const DEFAULT_FIELD_OF_VIEW_DEGREES = 30;
+export const DEFAULT_FIELD_OF_VIEW_DEGREES = SCENE_FIELDS['camera.vertical_fov_degrees'].default;
 
 /** Nothing while the scene leaves the camera open. */
 export function cameraOf(scene: Scene | undefined): Camera | undefined {

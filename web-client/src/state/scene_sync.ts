@@ -3,6 +3,7 @@
 // older answers arrive, and a refused change goes back to the last good value.
 import { isAfter } from '../protocol/counter.ts';
 import { isObject, mergePatch, type Json, type JsonObject } from './merge_patch.ts';
+import { leftOpen, OPTIONAL_FIELDS } from './scene_fields.ts';
 
 interface PendingChange {
   readonly input: number;
@@ -12,18 +13,18 @@ interface PendingChange {
 /** Older changes have arrived: a refusal would have been heard. Not every change makes a frame. */
 const MOST_PENDING = 120;
 
-/** Left out they are not there at all, so that their null takes effect without an answer. */
-const OPTIONAL_FIELDS: ReadonlySet<string> = new Set(['upper_value']);
+/** Where null takes effect without an answer. */
+const NOT_THERE = leftOpen(OPTIONAL_FIELDS);
 
 /** Nulls ask the server to choose; until it has, the old value stays. */
-function withoutNulls(patch: JsonObject): JsonObject {
+function withoutNulls(patch: JsonObject, not_there: JsonObject = NOT_THERE): JsonObject {
   const kept = Object.entries(patch).filter(
-    ([key, value]) => value !== null || OPTIONAL_FIELDS.has(key),
+    ([key, value]) => value !== null || not_there[key] === null,
   );
-  const clean = ([key, value]: [string, Json]): [string, Json] => [
-    key,
-    isObject(value) ? withoutNulls(value) : value,
-  ];
+  const clean = ([key, value]: [string, Json]): [string, Json] => {
+    const inner = not_there[key];
+    return [key, isObject(value) ? withoutNulls(value, isObject(inner) ? inner : {}) : value];
+  };
   return Object.fromEntries(kept.map(clean));
 }
 

@@ -1,5 +1,6 @@
 // A look in a file: a scene document. What such a file cannot be is found here; whether the server
 // knows all that is in it, the server says when it is put on.
+import { SCENE_GROUPS, SCENE_VERSION, STYLE_FIELDS } from '../protocol/messages.ts';
 import { isObject, type JsonObject } from './merge_patch.ts';
 import { cleanTitle, lookOf, ownStyle, type OwnStyle } from './own_styles.ts';
 import { words } from '../words/words.ts';
@@ -9,13 +10,6 @@ export class StyleFileError extends Error {}
 
 /** No document is longer than a message may be. */
 export const LARGEST_FILE_BYTES = 64 * 1024;
-const VERSION = 1;
-
-const SCENE_FIELDS = ['version', 'volume', 'viewport', 'camera', 'focus', 'context', 'lens'].concat(
-  'light',
-  'background',
-);
-const STYLE_FIELDS = ['version', 'name', 'title', 'description', 'group', 'scene'];
 
 export const styleFileText = ({ scene }: OwnStyle): string => `${JSON.stringify(scene, null, 2)}\n`;
 
@@ -33,9 +27,11 @@ function parsed(text: string): JsonObject {
 }
 
 function check(document: JsonObject, fields: readonly string[]): void {
-  const { version = VERSION } = document;
-  if (version !== VERSION)
-    throw new StyleFileError(words().own_styles.other_version(JSON.stringify(version), VERSION));
+  const { version = SCENE_VERSION } = document;
+  if (version !== SCENE_VERSION)
+    throw new StyleFileError(
+      words().own_styles.other_version(JSON.stringify(version), SCENE_VERSION),
+    );
   const unknown = Object.keys(document).find((field) => !fields.includes(field));
   if (unknown !== undefined) throw new StyleFileError(words().own_styles.unknown_field(unknown));
 }
@@ -50,9 +46,9 @@ const titleOfFile = (file_name: string): string => file_name.replace(/(\.scene)?
 export function styleFromFile(text: string, file_name: string): OwnStyle {
   const document = parsed(text);
   const is_style = isObject(document['scene']);
-  check(document, is_style ? STYLE_FIELDS : SCENE_FIELDS);
+  check(document, is_style ? STYLE_FIELDS : SCENE_GROUPS);
   const scene = isObject(document['scene']) ? document['scene'] : document;
-  if (is_style) check(scene, SCENE_FIELDS);
+  if (is_style) check(scene, SCENE_GROUPS);
   if (Object.keys(lookOf(scene)).length === 0) throw new StyleFileError(words().own_styles.no_look);
   const title = typeof document['title'] === 'string' ? document['title'] : titleOfFile(file_name);
   return ownStyle(cleanTitle(title) || words().own_styles.untitled, scene);
