@@ -1,6 +1,7 @@
 import type { Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
 import { BUILD_TARGET } from './scripts/floor.mjs';
+import { thirdPartyNotices } from './scripts/third_party.mjs';
 
 /**
  * Web Awesome's default icon library carries the addresses of a CDN. Ours replaces it; the
@@ -23,9 +24,11 @@ const junit_file = process.env['VITEST_JUNIT'];
 const server_address = process.env['CUTAWAY_ADDRESS'] ?? '127.0.0.1:8080';
 const to_server = { target: `http://${server_address}` };
 
+const notices = thirdPartyNotices();
+
 export default defineConfig({
   base: './',
-  plugins: [withoutForeignIconAddresses()],
+  plugins: [withoutForeignIconAddresses(), notices.page],
   server: {
     host: '127.0.0.1',
     proxy: {
@@ -44,7 +47,7 @@ export default defineConfig({
       output: { codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] } },
     },
   },
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [notices.worker()] },
   test: {
     include: ['tests/**/*.test.ts'],
     environment: 'node',

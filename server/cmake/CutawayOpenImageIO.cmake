@@ -1,11 +1,7 @@
-# OpenImageIO::OpenImageIO as Debian packages it.
-find_package(OpenImageIO 2.4 REQUIRED)
-
-# The package names an include folder that belongs to a package it does not need.
-get_target_property(image_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
-foreach(folder IN LISTS image_includes)
-  if(NOT EXISTS ${folder})
-    list(REMOVE_ITEM image_includes ${folder})
-  endif()
-endforeach()
-set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${image_includes}")
+# OpenImageIO::OpenImageIO by pkg-config. Debian's CMake files for it want the programs of openimageio-tools, which
+# nothing here runs, and name an include folder of a package that is not needed.
+find_package(PkgConfig REQUIRED)
+if(NOT TARGET OpenImageIO::OpenImageIO)
+  pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO>=2.4)
+  add_library(OpenImageIO::OpenImageIO ALIAS PkgConfig::openimageio)
+endif()

@@ -34,6 +34,7 @@ class StageSamples {
 
   std::vector<StageTime> medians() const {
     std::vector<StageTime> result;
+    result.reserve(samples_.size());
     for (const auto& [stage, times_ms] : samples_) result.push_back({stage, median(times_ms)});
     return result;
   }

@@ -33,6 +33,7 @@ double rate_together(const Pixels& picture, int quality, int threads, double sec
   std::latch all_ready(threads);
   {
     std::vector<std::jthread> workers;
+    workers.reserve(rates.size());
     for (double& rate : rates) {
       workers.emplace_back([&] {
         jpeg_of(picture, quality);  // makes the thread's compressor

@@ -5,11 +5,13 @@ import { basename, extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { newerThanFloor } from './floor.mjs';
+import { NOTICES_FILE } from './third_party.mjs';
 
 const LARGEST_INITIAL_BYTES = 150 * 1000;
 const dist = fileURLToPath(new URL('../dist', import.meta.url));
 const files = readdirSync(dist, { recursive: true, withFileTypes: true })
   .filter((entry) => entry.isFile() && extname(entry.name) !== '.gz')
+  .filter((entry) => entry.name !== NOTICES_FILE)
   .map((entry) => join(entry.parentPath, entry.name));
 
 /** Names in comments, in namespaces and in links for people; nothing that a page loads. */

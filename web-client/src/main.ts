@@ -9,11 +9,12 @@ import { observeHeldPointer } from './interaction/held_pointer.ts';
 import { keepSceneInAddress } from './session/address_bar.ts';
 import { openViewerSession } from './session/viewer_session.ts';
 import { webSocketUrl } from './stream/stream.ts';
-import { keepLook } from './preferences/look.ts';
+import { keepLook } from './session/kept_look.ts';
 import type { WatchStorage } from './preferences/browser_storage.ts';
-import { keepPreferences, PreferenceStore, sayLeftOut } from './preferences/preference_store.ts';
+import { keepPreferences, sayLeftOut } from './session/kept_preferences.ts';
+import { PreferenceStore } from './preferences/preference_store.ts';
 import { DEFAULT_PREFERENCES } from './preferences/preferences.ts';
-import { keepSpeaking } from './preferences/speech.ts';
+import { keepSpeaking } from './session/kept_speech.ts';
 import { VIEW_NAMES } from './state/views.ts';
 
 /** An address that is revoked before the browser has read it saves nothing. */

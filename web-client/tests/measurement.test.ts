@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { measurementsCsv, measurementsJson } from '../src/state/measurement_export.ts';
-import { angleDegrees, resultOf, type Measurement } from '../src/state/measurement.ts';
+import { angleDegrees, resultOf, type Measurement } from '../src/view/measurement.ts';
 import {
   extended,
   freeName,

@@ -1,15 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import {
-  keepPreferences,
-  PreferenceStore,
-  sayLeftOut,
-} from '../src/preferences/preference_store.ts';
+import { PreferenceStore } from '../src/preferences/preference_store.ts';
 import {
   DEFAULT_PREFERENCES,
   preferencesFrom,
   preferencesText,
   type Preferences,
 } from '../src/preferences/preferences.ts';
+import { keepPreferences, sayLeftOut } from '../src/session/kept_preferences.ts';
 import { Harness } from './harness.ts';
 
 const CHOSEN: Preferences = {

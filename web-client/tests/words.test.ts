@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { ModuleDescription } from '../src/protocol/messages.ts';
-import { keepSpeaking } from '../src/preferences/speech.ts';
+import { keepSpeaking } from '../src/session/kept_speech.ts';
 import { lensModeControls } from '../src/state/lens_controls.ts';
 import { english } from '../src/words/english.ts';
 import { german } from '../src/words/german.ts';

@@ -7,7 +7,7 @@ import { heldPoint } from '../interaction/held_point.ts';
 import { ARROWS } from '../interaction/key_binding.ts';
 import { picturePoint } from '../interaction/picture_point.ts';
 import { measurementsOf } from '../state/measure_state.ts';
-import { resultOf, type MeasuredPoint, type Measurement } from '../state/measurement.ts';
+import { resultOf, type MeasuredPoint, type Measurement } from '../view/measurement.ts';
 import { resultText } from '../state/measure_text.ts';
 import { shownProjection } from '../state/scene_parts.ts';
 import { shownSlice, viewportOf } from '../state/slice_views.ts';

@@ -1,7 +1,7 @@
 // What the tool in hand waits for, and what lies under the pointer.
 import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { resultOf } from '../state/measurement.ts';
+import { resultOf } from '../view/measurement.ts';
 import { measurementsOf, type Candidate } from '../state/measure_state.ts';
 import type { Draft } from '../state/measurement_list.ts';
 import { positionText, resultText, valueText } from '../state/measure_text.ts';

@@ -5,7 +5,7 @@ import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { measurementsOf, toolInHand } from '../state/measure_state.ts';
 import { LONGEST_NAME } from '../state/measurement_list.ts';
-import { MEASUREMENT_KINDS, resultOf, type Measurement } from '../state/measurement.ts';
+import { MEASUREMENT_KINDS, resultOf, type Measurement } from '../view/measurement.ts';
 import { positionText, resultText } from '../state/measure_text.ts';
 import { shared } from '../styles/shared.ts';
 import { words } from '../words/words.ts';

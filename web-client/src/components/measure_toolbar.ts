@@ -1,7 +1,7 @@
 // The measuring tools, over the picture.
 import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { MEASUREMENT_KINDS, type MeasurementKind } from '../state/measurement.ts';
+import { MEASUREMENT_KINDS, type MeasurementKind } from '../view/measurement.ts';
 import { toolInHand } from '../state/measure_state.ts';
 import { shared } from '../styles/shared.ts';
 import { words } from '../words/words.ts';

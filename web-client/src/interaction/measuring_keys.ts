@@ -1,7 +1,7 @@
 // Keys of the measuring tools. With a tool in hand the arrows move its point, and with Alt the camera:
 // what Alt does without a tool, panning, then takes Shift too.
 import type { Measuring } from '../session/measuring.ts';
-import type { MeasurementKind } from '../state/measurement.ts';
+import type { MeasurementKind } from '../view/measurement.ts';
 import type { ViewName } from '../state/views.ts';
 import { ARROWS, isPlainKey, type KeyBinding } from './key_binding.ts';
 

@@ -12,7 +12,7 @@ import {
   POINT_COUNTS,
   type MeasuredPoint,
   type Measurement,
-} from '../state/measurement.ts';
+} from '../view/measurement.ts';
 import { isObject } from '../state/merge_patch.ts';
 import type { Vector3 } from '../view/vector.ts';
 

@@ -1,6 +1,6 @@
 // What a user can do with the measuring tools. Points are found by the server.
 import { extended, isWhole, withPoint } from '../state/measurement_list.ts';
-import type { MeasurementKind } from '../state/measurement.ts';
+import type { MeasurementKind } from '../view/measurement.ts';
 import { measurementsOf, toolInHand, type MeasureState } from '../state/measure_state.ts';
 import type { Store } from '../state/store.ts';
 import type { ViewerState } from '../state/viewer_state.ts';

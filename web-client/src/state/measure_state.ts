@@ -1,5 +1,5 @@
 // Measuring: the tool in hand, the point that is being placed, and what was measured, by volume.
-import type { MeasuredPoint, MeasurementKind } from './measurement.ts';
+import type { MeasuredPoint, MeasurementKind } from '../view/measurement.ts';
 import type { MeasuredVolumes } from './measured_volumes.ts';
 import type { Draft, MeasurementList } from './measurement_list.ts';
 import { volumeKey, type VolumeIdentity } from './volume_identity.ts';

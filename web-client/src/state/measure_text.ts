@@ -2,7 +2,7 @@
 import { words } from '../words/words.ts';
 import { sidedCoordinates } from '../view/orientation.ts';
 import type { Vector3 } from '../view/vector.ts';
-import type { MeasurementResult } from './measurement.ts';
+import type { MeasurementResult } from '../view/measurement.ts';
 
 const DIGITS = 1;
 const VALUE_DIGITS = 4;

@@ -1,7 +1,7 @@
 // Measurements as files for other programs: JSON that says its space and units, and CSV with a row
 // for each measurement. Numbers have a decimal point in every language.
 import type { VolumeSummary } from '../protocol/messages.ts';
-import { resultOf, type Measurement, type MeasurementResult } from './measurement.ts';
+import { resultOf, type Measurement, type MeasurementResult } from '../view/measurement.ts';
 import type { MeasurementList } from './measurement_list.ts';
 
 type Measured = Pick<VolumeSummary, 'id' | 'title' | 'modality' | 'units'>;

@@ -5,7 +5,7 @@ import {
   type MeasuredPoint,
   type Measurement,
   type MeasurementKind,
-} from './measurement.ts';
+} from '../view/measurement.ts';
 
 export type MeasurementList = readonly Measurement[];
 

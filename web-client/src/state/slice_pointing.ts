@@ -2,7 +2,7 @@
 import type { Point } from '../view/camera.ts';
 import type { SliceName } from '../view/slice_geometry.ts';
 import type { Vector3 } from '../view/vector.ts';
-import type { MeasuredPoint } from './measurement.ts';
+import type { MeasuredPoint } from '../view/measurement.ts';
 
 /** Where it is, and what lies under it. */
 export interface SliceHover {

@@ -1,5 +1,5 @@
 // A measurement as lines of a view's picture, device pixels.
-import type { MeasurementKind } from '../state/measurement.ts';
+import type { MeasurementKind } from './measurement.ts';
 import type { Point } from './camera.ts';
 import {
   add,

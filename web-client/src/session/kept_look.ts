@@ -1,7 +1,7 @@
 // Keeps the page in the theme that is preferred: the classes of the document, and what the browser
 // draws itself.
-import type { ViewerSession } from '../session/viewer_session.ts';
-import type { Theme, ThemeChoice } from './preferences.ts';
+import type { ViewerSession } from './viewer_session.ts';
+import type { Theme, ThemeChoice } from '../preferences/preferences.ts';
 
 /** Of the bar, which on a phone goes on into the browser's own. */
 const BAR_COLOURS: Readonly<Record<Theme, string>> = { dark: '#12171b', light: '#ffffff' };

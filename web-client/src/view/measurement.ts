@@ -1,6 +1,6 @@
 // What a user has measured: named points of the patient, and what follows from them. Points are
 // patient space (LPS, mm), so that every view of the patient can draw them.
-import { dot, length, subtract, type Vector3 } from '../view/vector.ts';
+import { dot, length, subtract, type Vector3 } from './vector.ts';
 
 export const MEASUREMENT_KINDS = ['distance', 'angle', 'probe'] as const;
 export type MeasurementKind = (typeof MEASUREMENT_KINDS)[number];

@@ -1,5 +1,5 @@
 // Keeps the page in the language that is preferred.
-import type { ViewerSession } from '../session/viewer_session.ts';
+import type { ViewerSession } from './viewer_session.ts';
 import { languageFor } from '../words/language.ts';
 import { speak, words } from '../words/words.ts';
 
