@@ -98,7 +98,7 @@ Lens resolve_lens(const Json& document, const VolumeFacts& volume, const Scene& 
   if (document.contains("centre_mm")) lens.centre_mm = vector_from(document.at("centre_mm"));
   if (document.contains("radius_mm") && document.contains("centre_mm")) return lens;
   const LensPlacementView view{scene.camera, scene.viewport, scene.context.surface.band,
-                               scene.focus.surface.band};
+                               scene.focus.surface.band, lens.shape};
   const PlacedLens chosen = lenses.lens(
       volume, view, document.contains("radius_mm") ? std::optional(lens.radius_mm) : std::nullopt);
   if (!document.contains("radius_mm")) lens.radius_mm = chosen.radius_mm;

@@ -25,7 +25,7 @@ const ajv = new Ajv({
   strictTypes: false,
   allErrors: false,
   schemas,
-  keywords: ['x-unit', 'x-step', 'x-level', 'x-kind', 'x-alias'],
+  keywords: ['x-unit', 'x-step', 'x-level', 'x-kind', 'x-alias', 'x-axis'],
 });
 
 function validates(schema_name: string, document: unknown): boolean {
