@@ -1,5 +1,6 @@
 #include "gl/program.h"
 
+#include <regex>
 #include <vector>
 
 #include "core/error.h"
@@ -20,9 +21,13 @@ std::string shader_log(GLuint shader) {
   return text;
 }
 
-ShaderHandle compile(const ShaderLibrary& library, GLenum stage, std::string_view name,
-                     const std::map<std::string, std::string>& definitions) {
-  const ExpandedShader expanded = library.expand(name, definitions);
+bool is_debug_context() {
+  GLint flags = 0;
+  glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
+  return (flags & GL_CONTEXT_FLAG_DEBUG_BIT) != 0;
+}
+
+ShaderHandle compile(GLenum stage, std::string_view name, const ExpandedShader& expanded) {
   ShaderHandle shader(glCreateShader(stage));
   const char* text = expanded.text.c_str();
   glShaderSource(shader.name(), 1, &text, nullptr);
@@ -46,9 +51,12 @@ std::string program_log(GLuint program) {
 
 Program::Program(const ShaderLibrary& library, std::string_view vertex, std::string_view fragment,
                  const std::map<std::string, std::string>& definitions)
-    : handle_(glCreateProgram()) {
-  const ShaderHandle vertex_shader = compile(library, GL_VERTEX_SHADER, vertex, definitions);
-  const ShaderHandle fragment_shader = compile(library, GL_FRAGMENT_SHADER, fragment, definitions);
+    : handle_(glCreateProgram()), name_(fragment) {
+  const ExpandedShader vertex_text = library.expand(vertex, definitions);
+  const ExpandedShader fragment_text = library.expand(fragment, definitions);
+  if (is_debug_context()) mentioned_ = vertex_text.text + fragment_text.text;
+  const ShaderHandle vertex_shader = compile(GL_VERTEX_SHADER, vertex, vertex_text);
+  const ShaderHandle fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, fragment_text);
   glAttachShader(handle_.name(), vertex_shader.name());
   glAttachShader(handle_.name(), fragment_shader.name());
   glLinkProgram(handle_.name());
@@ -60,7 +68,20 @@ Program::Program(const ShaderLibrary& library, std::string_view vertex, std::str
 GLint Program::location(const char* name) const {
   const auto known = locations_.find(name);
   if (known != locations_.end()) return known->second;
-  return locations_[name] = glGetUniformLocation(handle_.name(), name);
+  const GLint found = glGetUniformLocation(handle_.name(), name);
+  if (found < 0) require_mention(name);
+  return locations_[name] = found;
+}
+
+// "tone[1].detail" is mentioned where both tone and detail are.
+void Program::require_mention(const char* name) const {
+  if (mentioned_.empty()) return;
+  static const std::regex word(R"([A-Za-z_]\w*)");
+  const std::string text(name);
+  for (std::sregex_iterator part(text.begin(), text.end(), word), end; part != end; ++part) {
+    if (std::regex_search(mentioned_, std::regex("\\b" + part->str() + "\\b"))) continue;
+    throw_shader_error(name_, "no shader declares the uniform " + text);
+  }
 }
 
 void Program::set(const char* name, int value) const {
@@ -88,6 +109,10 @@ void Program::set(const char* name, const glm::mat3& value) const {
 void Program::set_texture(const char* name, int unit, GLuint texture) const {
   glBindTextureUnit(static_cast<GLuint>(unit), texture);
   set(name, unit);
+}
+
+void Program::offer_texture(const char* name, int unit, GLuint texture) const {
+  if (glGetUniformLocation(handle_.name(), name) >= 0) set_texture(name, unit, texture);
 }
 
 }  // namespace cutaway::gl

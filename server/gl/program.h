@@ -12,9 +12,8 @@
 
 namespace cutaway::gl {
 
-/// A vertex and a fragment shader. Setting a uniform that the linker dropped does nothing; setting
-/// one that no shader declares is a check failure only in debug contexts' eyes, so names are
-/// covered by the GL tests.
+/// A vertex and a fragment shader. Setting a uniform that the linker dropped does nothing; in a
+/// debug context setting one that neither shader mentions throws Error "shader-error".
 class Program {
  public:
   /// Throws Error "shader-error" with file and line.
@@ -33,10 +32,15 @@ class Program {
 
   /// Binds a texture to a unit and a sampler uniform to that unit.
   void set_texture(const char* name, int unit, GLuint texture) const;
+  /// The same where the program uses it at all.
+  void offer_texture(const char* name, int unit, GLuint texture) const;
 
  private:
   GLint location(const char* name) const;
+  void require_mention(const char* name) const;
   ProgramHandle handle_;
+  std::string name_;       ///< of the fragment shader
+  std::string mentioned_;  ///< both shaders' text, in debug contexts
   mutable std::map<std::string, GLint, std::less<>> locations_;
 };
 

@@ -4,6 +4,7 @@
 #include <regex>
 #include <sstream>
 
+#include "core/check.h"
 #include "core/error.h"
 
 namespace cutaway::gl {
@@ -83,7 +84,11 @@ class Expansion {
 }  // namespace
 
 ShaderLibrary::ShaderLibrary(std::span<const EmbeddedFile> files) {
-  for (const EmbeddedFile& file : files) files_.emplace(file.name, file.text);
+  for (const EmbeddedFile& file : files) {
+    const std::string_view name = file.name.substr(file.name.rfind('/') + 1);
+    check(files_.emplace(name, file.text).second,
+          "two shader files are called " + std::string(name));
+  }
 }
 
 ExpandedShader ShaderLibrary::expand(std::string_view name,

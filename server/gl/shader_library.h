@@ -21,6 +21,7 @@ struct ExpandedShader {
 /// Immutable once it is filled; then any thread.
 class ShaderLibrary {
  public:
+  /// They go by their names without folders, of which no two are alike.
   explicit ShaderLibrary(std::span<const EmbeddedFile> files);
 
   /// A file that is written at start-up, such as one made from a registry.

@@ -1,16 +1,14 @@
 #include "render/composite_pass.h"
 
-#include "render/lenses/lens_registry.h"
+#include "render/lens_uniforms.h"
 
 namespace cutaway {
 
 CompositePass::CompositePass(const gl::ShaderLibrary& shaders)
     : plain_(shaders, "fullscreen.vert", "composite.frag") {
-  for (const LensShape& shape : lens_shapes()) {
-    magic_.emplace(shape.name,
-                   Entry{&shape, gl::Program(shaders, "rays.vert", "composite_magic.frag",
-                                             shader_definitions(shape))});
-  }
+  for (const std::string& body : lens_body_files())
+    magic_.emplace(
+        body, gl::Program(shaders, "rays.vert", "composite_magic.frag", lens_definitions(body)));
 }
 
 void CompositePass::run(const CompositeKey& key, const gl::Framebuffer& target,
@@ -27,13 +25,13 @@ void CompositePass::run(const CompositeKey& key, const gl::Framebuffer& target,
 const gl::Program& CompositePass::prepared(const CompositeKey& key) const {
   if (!key.magic) return plain_;
   const Lens& lens = key.magic->lens;
-  const Entry& entry = magic_.at(lens.shape.name);
-  entry.program.set("lens_strength", static_cast<float>(lens.strength));
-  entry.program.set("lens_softness", static_cast<float>(lens.softness));
-  entry.program.set("lens_strict", lens.strict ? 1 : 0);
-  entry.shape->set_parameters(entry.program, lens);
-  set_view_rays(entry.program, key.magic->rays);
-  return entry.program;
+  const gl::Program& program = magic_.at(lens_body_file(lens));
+  program.set("lens_strength", static_cast<float>(lens.strength));
+  program.set("lens_softness", static_cast<float>(lens.softness));
+  program.set("lens_strict", lens.strict ? 1 : 0);
+  set_lens_body(program, lens);
+  set_view_rays(program, key.magic->rays);
+  return program;
 }
 
 }  // namespace cutaway

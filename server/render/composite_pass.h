@@ -5,7 +5,6 @@
 
 #include "gl/framebuffer.h"
 #include "gl/program.h"
-#include "render/lenses/lens_shape.h"
 #include "render/view_rays.h"
 #include "scene/scene.h"
 
@@ -36,14 +35,10 @@ class CompositePass {
            const gl::FullscreenTriangle& triangle) const;
 
  private:
-  struct Entry {
-    const LensShape* shape;
-    gl::Program program;
-  };
   const gl::Program& prepared(const CompositeKey& key) const;
 
   gl::Program plain_;
-  std::map<std::string, Entry, std::less<>> magic_;  ///< by lens shape
+  std::map<std::string, gl::Program, std::less<>> magic_;  ///< by the lens' body
 };
 
 }  // namespace cutaway

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/check.h"
-#include "render/lenses/lens_registry.h"
+#include "render/lens_uniforms.h"
 #include "render/shading/shading_registry.h"
 #include "render/view_regions.h"
 
@@ -22,8 +22,6 @@ constexpr float kNoUpperLimit = 3e38F;
 constexpr glm::vec4 kNothingMet(0.0F, 0.0F, 0.0F, -1.0F);
 constexpr glm::vec4 kNoLayer(0.0F);
 
-constexpr std::array kModes = {LensMode::none, LensMode::cutaway, LensMode::magic};
-
 const char* mode_name(LensMode mode) {
   switch (mode) {
     case LensMode::none:
@@ -35,10 +33,10 @@ const char* mode_name(LensMode mode) {
   }
 }
 
-void set_lens(const gl::Program& program, const LensShape& shape, const Lens& lens) {
+void set_lens(const gl::Program& program, const Lens& lens) {
   program.set("flat_caps", lens.cap == LensCap::flat ? 1 : 0);
   program.set("open_caps", lens.cap == LensCap::open ? 1 : 0);
-  shape.set_parameters(program, lens);
+  set_lens_body(program, lens);
 }
 
 void set_bands(const gl::Program& program, const RayCastKey& key, const GpuVolume& volume) {
@@ -71,20 +69,25 @@ void set_looks(const gl::Program& program, const RayCastKey& key) {
 }  // namespace
 
 RayCastPass::RayCastPass(const gl::ShaderLibrary& shaders) {
-  for (const LensShape& shape : lens_shapes()) {
-    for (const LensMode mode : kModes) {
-      auto definitions = shader_definitions(shape);
-      definitions["LENS_MODE"] = mode_name(mode);
-      programs_.push_back(
-          {&shape, mode, gl::Program(shaders, "ray_cast.vert", "ray_cast.frag", definitions),
-           gl::Program(shaders, "ray_cast.vert", "ray_cast_translucent.frag", definitions)});
-    }
+  const auto add = [&](const std::string& body, LensMode mode) {
+    auto definitions = lens_definitions(body);
+    definitions["LENS_MODE"] = mode_name(mode);
+    programs_.push_back(
+        {body, mode, gl::Program(shaders, "ray_cast.vert", "ray_cast.frag", definitions),
+         gl::Program(shaders, "ray_cast.vert", "ray_cast_translucent.frag", definitions)});
+  };
+  const std::vector<std::string> bodies = lens_body_files();
+  add(bodies.front(), LensMode::none);
+  for (const std::string& body : bodies) {
+    add(body, LensMode::cutaway);
+    add(body, LensMode::magic);
   }
 }
 
 const RayCastPass::Entry& RayCastPass::entry_for(LensMode mode, const Lens& lens) const {
+  const std::string body = lens_body_file(lens);
   const auto found = std::ranges::find_if(programs_, [&](const Entry& entry) {
-    return entry.mode == mode && entry.shape->name == lens.shape.name;
+    return entry.mode == mode && (mode == LensMode::none || entry.body == body);
   });
   check(found != programs_.end(), "the scene's lens is one of the registry's");
   return *found;
@@ -125,7 +128,7 @@ void RayCastPass::draw(const Entry& entry, const RayCastKey& key, GpuVolume& vol
   program.set("pixel_size", 2.0F * glm::length(key.rays.view_up) /
                                 static_cast<float>(buffers.picture_size_px().y));
   set_search(program, key, volume);
-  set_lens(program, *entry.shape, key.lens);
+  set_lens(program, key.lens);
   if (key.is_translucent()) set_looks(program, key);
   const gl::DepthTest test(gl::DepthTest::over_drawn);
   for (const gl::PixelRect& part : parts) {

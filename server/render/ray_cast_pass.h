@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "render/gpu_volume.h"
-#include "render/lenses/lens_shape.h"
 #include "render/shade_pass.h"
 #include "render/view_buffers.h"
 #include "render/view_rays.h"
@@ -45,9 +44,9 @@ class RayCastPass {
            const gl::FullscreenTriangle& triangle) const;
 
  private:
-  /// One for each shape of the lens and what it does.
+  /// One for each body and mode of the lens; without a lens there is no body.
   struct Entry {
-    const LensShape* shape;
+    std::string body;
     LensMode mode;
     gl::Program opaque;
     gl::Program translucent;

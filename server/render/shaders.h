@@ -1,4 +1,4 @@
-// The GLSL files of shaders/, embedded at build, and those made from the registries.
+// The GLSL files, embedded at build, and those made from the registries.
 #pragma once
 
 #include <span>

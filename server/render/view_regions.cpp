@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "scene/lenses/lens_body.h"
 #include "scene/view_geometry.h"
 
 namespace cutaway {
@@ -56,13 +57,9 @@ gl::PixelRect volume_region(const Projection2D& projection, const VolumeGeometry
   return projection.box(glm::dvec3(to_patient * glm::dvec4(half, 1.0)), half_edges);
 }
 
-// Every shape of the lens lies within its radius.
 gl::PixelRect lens_region(const Projection2D& projection, const Scene& scene) {
   if (scene.lens.mode == LensMode::none || scene.lens.radius_mm <= 0.0) return {};
-  const CameraAxes axes = camera_axes(scene.camera);
-  const glm::dmat3 half_edges =
-      scene.lens.radius_mm * glm::dmat3(axes.right, axes.up, axes.backward);
-  return projection.box(scene.lens.centre_mm, half_edges);
+  return projection.box(scene.lens.centre_mm, LensBody(scene.lens).half_edges_mm());
 }
 
 }  // namespace

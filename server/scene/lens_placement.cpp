@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "scene/lenses/lens_body.h"
 #include "scene/view_geometry.h"
 
 namespace cutaway {
@@ -69,27 +70,14 @@ std::vector<ProbedRay> probe_view(const VolumeFacts& volume, const LensPlacement
   return rays;
 }
 
-/// The ray's way through a sphere (mm along the ray); nothing where it misses.
-std::optional<glm::dvec2> through_sphere_mm(const ViewRay& ray, glm::dvec3 centre_mm,
-                                            double radius_mm) {
-  const glm::dvec3 to_centre = centre_mm - ray.origin_mm;
-  const double nearest_mm = glm::dot(to_centre, ray.direction);
-  const double under_root =
-      radius_mm * radius_mm - glm::dot(to_centre, to_centre) + nearest_mm * nearest_mm;
-  if (under_root <= 0.0) return std::nullopt;
-  const double half_mm = std::sqrt(under_root);
-  return glm::dvec2(nearest_mm - half_mm, nearest_mm + half_mm);
-}
-
 /// Share of the lens' outline in which the focus would be seen, by the cutaway's four-case rule:
 /// where no context lies before the lens, and the focus within. A lens that is half beside the body
 /// or behind skin is half wasted, so all of its outline counts.
-double share_with_focus(const std::vector<ProbedRay>& rays, glm::dvec3 centre_mm,
-                        double radius_mm) {
+double share_with_focus(const std::vector<ProbedRay>& rays, const LensBody& lens) {
   int crossed = 0;
   int filled = 0;
   for (const ProbedRay& probed : rays) {
-    const auto lens_mm = through_sphere_mm(probed.ray, centre_mm, radius_mm);
+    const auto lens_mm = lens.interval_mm(probed.ray);
     if (!lens_mm) continue;
     ++crossed;
     if (probed.context_mm >= lens_mm->x && probed.focus_mm < lens_mm->y) ++filled;
@@ -111,12 +99,18 @@ struct Choice {
   double worth = -kNoHit;
 };
 
+/// A lens that is looked for a place.
+struct Asked {
+  LensBody body;  ///< anywhere
+  double radius_mm;
+};
+
 Choice choice_at(const ProbedRay& candidate, const Form& form, const std::vector<ProbedRay>& rays,
-                 double radius_mm) {
+                 const Asked& asked) {
   Choice choice;
-  choice.lens.radius_mm = form.size * radius_mm;
+  choice.lens.radius_mm = form.size * asked.radius_mm;
   choice.lens.centre_mm = candidate.context_point_mm(form.depth * choice.lens.radius_mm);
-  choice.share = share_with_focus(rays, choice.lens.centre_mm, choice.lens.radius_mm);
+  choice.share = share_with_focus(rays, asked.body.at(choice.lens.centre_mm, form.size));
   choice.worth = choice.share - kPriceOfTheEdge * candidate.off_middle() -
                  kPriceOfDepth * form.depth - kPriceOfSize * (form.size - 1.0);
   return choice;
@@ -137,12 +131,12 @@ bool shows_more(const Choice& a, const Choice& b) {
 
 /// The best choice of them; nothing where the view misses the context's surface at all of them.
 std::optional<Choice> best_choice(const std::vector<ProbedRay>& rays, const Candidates& candidates,
-                                  double radius_mm) {
+                                  const Asked& asked) {
   std::optional<Choice> best;
   for (const ProbedRay& candidate : rays) {
     if (candidate.context_mm == kNoHit || !(candidate.*candidates.are_these)()) continue;
     for (const Form& form : candidates.forms) {
-      const Choice choice = choice_at(candidate, form, rays, radius_mm);
+      const Choice choice = choice_at(candidate, form, rays, asked);
       if (!best || shows_more(choice, *best)) best = choice;
     }
   }
@@ -169,9 +163,10 @@ std::optional<PlacedLens> placed_lens(const VolumeFacts& volume, const LensPlace
                                       double radius_mm) {
   if (!volume.first_surface_mm) return std::nullopt;
   const std::vector<ProbedRay> rays = probe_view(volume, view);
+  const Asked asked{LensBody({.shape = view.shape, .radius_mm = radius_mm}), radius_mm};
   std::optional<Choice> best;
   for (const Candidates& candidates : all_candidates()) {
-    const std::optional<Choice> choice = best_choice(rays, candidates, radius_mm);
+    const std::optional<Choice> choice = best_choice(rays, candidates, asked);
     if (choice && (!best || shows_more(*choice, *best))) best = choice;
     if (best && best->share >= kNearlyEmpty) break;
   }

@@ -6,12 +6,14 @@
 
 namespace cutaway {
 
-/// What the view shows without a lens decides: its camera, its picture's size and the two surfaces.
+/// What the view shows without a lens decides: its camera, its picture's size and the two surfaces;
+/// and which shape the lens has.
 struct LensPlacementView {
   Camera camera;
   Viewport viewport;
   ValueBand context;
   ValueBand focus;
+  Module shape = Lens().shape;
   bool operator==(const LensPlacementView&) const = default;
 };
 

@@ -1,8 +1,10 @@
 #include "scene/modules.h"
 
+#include <map>
 #include <string>
 
 #include "scene/embedded.h"
+#include "scene/lenses/lens_shape.h"
 #include "scene/schema.h"
 
 namespace cutaway {
@@ -28,6 +30,7 @@ Json describe_parameter(const std::string& name, const Json& parameter) {
                                  {"maximum", "maximum"},
                                  {"x-step", "step"},
                                  {"x-unit", "unit"},
+                                 {"x-axis", "axis"},
                                  {"enum", "choices"}})
     if (parameter.contains(from)) description[to] = parameter.at(from);
   return description;
@@ -55,6 +58,31 @@ Json describe_kind(const char* pointer_in_scene, const OrderedJson& ordered) {
   return modules;
 }
 
+Json outline_of(const UnitBody& body) {
+  Json profile = Json::array();
+  for (const glm::dvec2& corner : body.profile) profile.push_back({corner.x, corner.y});
+  return {{"profile", std::move(profile)}, {"round", body.is_round}};
+}
+
+Json describe_lens_shapes(const OrderedJson& ordered) {
+  Json shapes = describe_kind("/properties/lens/properties/shape", ordered.at("lens_shape"));
+  for (Json& shape : shapes) {
+    const auto& name = shape.at("name").get_ref<const std::string&>();
+    shape["outline"] = outline_of(*find_lens_shape(name).body);
+  }
+  return shapes;
+}
+
+std::vector<LensAxis> axes_of(const Json& shape) {
+  std::vector<LensAxis> axes;
+  for (const Json& parameter : shape.at("parameters")) {
+    if (!parameter.contains("axis")) continue;
+    const char letter = parameter.at("axis").get_ref<const std::string&>().front();
+    axes.push_back({letter - 'x', parameter.at("name").get<std::string>()});
+  }
+  return axes;
+}
+
 OrderedJson ordered_definitions() {
   for (const EmbeddedFile& file : embedded_schemas())
     if (file.name == "modules.schema.json") return OrderedJson::parse(file.text).at("definitions");
@@ -70,10 +98,19 @@ const Json& describe_modules() {
         {"shading", describe_kind("/properties/focus/properties/shading", ordered.at("shading"))},
         {"filter",
          describe_kind("/properties/focus/properties/filters/items", ordered.at("filter"))},
-        {"lens_shape",
-         describe_kind("/properties/lens/properties/shape", ordered.at("lens_shape"))}};
+        {"lens_shape", describe_lens_shapes(ordered)}};
   }();
   return description;
+}
+
+const std::vector<LensAxis>& lens_axes(std::string_view shape) {
+  static const auto axes = [] {
+    std::map<std::string, std::vector<LensAxis>, std::less<>> by_shape;
+    for (const Json& each : describe_modules().at("lens_shape"))
+      by_shape.emplace(each.at("name").get<std::string>(), axes_of(each));
+    return by_shape;
+  }();
+  return axes.find(shape)->second;
 }
 
 }  // namespace cutaway

@@ -76,7 +76,7 @@ void complete_lens(Scene& scene, const Json& said, const VolumeFacts& volume, Le
   const bool has_centre = said.contains("centre_mm");
   if (has_radius && has_centre) return;
   const LensPlacementView view{scene.camera, scene.viewport, scene.context.surface.band,
-                               scene.focus.surface.band};
+                               scene.focus.surface.band, scene.lens.shape};
   const PlacedLens chosen =
       lenses.lens(volume, view, has_radius ? std::optional(scene.lens.radius_mm) : std::nullopt);
   if (!has_radius) scene.lens.radius_mm = chosen.radius_mm;

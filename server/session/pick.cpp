@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
+#include "scene/lenses/lens_body.h"
 #include "scene/slice_geometry.h"
 
 namespace cutaway {
@@ -21,18 +21,13 @@ struct Stretch {
   bool begins_at_lens = false;
 };
 
-// The part of the ray inside the lens. Every shape is taken for its bounding sphere.
+// The part of the ray inside the lens.
 std::optional<Stretch> inside_lens(const Lens& lens, const ViewRay& ray) {
-  if (lens.mode == LensMode::none) return std::nullopt;
-  const glm::dvec3 from_centre = ray.origin_mm - lens.centre_mm;
-  const double along = glm::dot(from_centre, ray.direction);
-  const double discriminant =
-      (along * along) - glm::dot(from_centre, from_centre) + (lens.radius_mm * lens.radius_mm);
-  if (discriminant <= 0.0) return std::nullopt;
-  const double half = std::sqrt(discriminant);
-  if (half - along <= 0.0) return std::nullopt;
-  const double begin = std::max(0.0, -along - half);
-  return Stretch{begin, half - along, PickedBranch::focus, begin > 0.0};
+  if (lens.mode == LensMode::none || lens.radius_mm <= 0.0) return std::nullopt;
+  const auto lens_mm = LensBody(lens).interval_mm(ray);
+  if (!lens_mm || lens_mm->y <= 0.0) return std::nullopt;
+  const double begin = std::max(0.0, lens_mm->x);
+  return Stretch{begin, lens_mm->y, PickedBranch::focus, begin > 0.0};
 }
 
 // Material that a stretch starts in does not count where a cap is left open, nor around an eye that

@@ -1,7 +1,7 @@
 #include "benchmark/frame_cases.h"
 
 #include "render/filters/filter_registry.h"
-#include "render/lenses/lens_registry.h"
+#include "scene/lenses/lens_shape.h"
 #include "scene/schema.h"
 #include "scene/styles.h"
 

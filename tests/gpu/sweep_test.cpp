@@ -2,11 +2,13 @@
 // registered untested.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <set>
 
 #include "render/filters/filter_registry.h"
-#include "render/lenses/lens_registry.h"
 #include "render/shading/shading_registry.h"
+#include "scene/json_text.h"
+#include "scene/lenses/lens_shape.h"
 #include "scene/modules.h"
 #include "scene/styles.h"
 #include "support/analytic_volumes.h"
@@ -83,6 +85,95 @@ TEST(Sweep, EveryLensOnEveryPhantom) {
             volume, settings_for(scene), tolerance_for(scene));
       }
     }
+  }
+}
+
+/// What a parameter is tried at: both ends of its range and somewhere between, since the ends of an
+/// angle are one; each of its choices.
+std::vector<Json> extremes_of(const Json& parameter) {
+  const std::string type = parameter.at("type");
+  if (type == "boolean") return {false, true};
+  if (type == "colour") return {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}};
+  if (type == "choice") return parameter.at("choices").get<std::vector<Json>>();
+  const double low = parameter.at("minimum");
+  const double high = parameter.at("maximum");
+  const double between = low + 0.37 * (high - low);
+  if (type == "integer") return {int(low), int(high), int(between)};
+  return {low, high, between};
+}
+
+/// Where it takes another parameter for this one to be read at all.
+Json premise_of(const std::string& parameter) {
+  return parameter == "depth_step_mm" ? Json{{"source", "depth"}} : Json::object();
+}
+
+/// One pixel of the head at this size lies where the field is nearly flat: rounding turns its
+/// normal a little, and the steepest parameters make up to 4 levels of that.
+Tolerance tolerance_at_extremes(const Scene& scene) {
+  Tolerance tolerance = tolerance_for(scene);
+  tolerance.maximum = std::max(tolerance.maximum, 5);
+  tolerance.share_above_2 = std::max(tolerance.share_above_2, 0.0005);
+  return tolerance;
+}
+
+/// Each parameter of a registry's modules at its extremes like the reference, and none without an
+/// effect. `place` puts a module into a document.
+void sweep_parameters(const char* kind, const std::function<Json(Json module)>& place) {
+  for (const Json& module : describe_modules().at(kind)) {
+    for (const Json& parameter : module.at("parameters")) {
+      const std::string name = parameter.at("name");
+      Json usual = premise_of(name);
+      usual["name"] = module.at("name");
+      const auto scene_with = [&](const Json& chosen) {
+        return scene_for(place(chosen), head(), {96, 72});
+      };
+      const auto draw = [&](const Scene& scene) {
+        return GpuHarness::instance().render(scene, head(), settings_for(scene)).rgba;
+      };
+      const auto plain = draw(scene_with(usual));
+      bool has_an_effect = false;
+      for (const Json& value : extremes_of(parameter)) {
+        Json chosen = usual;
+        chosen[name] = value;
+        const Scene scene = scene_with(chosen);
+        expect_like_reference(std::string(kind) + "-" + json_text(chosen), scene, head(),
+                              settings_for(scene), tolerance_at_extremes(scene));
+        has_an_effect = has_an_effect || draw(scene) != plain;
+      }
+      EXPECT_TRUE(has_an_effect) << kind << " " << module.at("name") << " " << name;
+    }
+  }
+}
+
+TEST(Sweep, EveryParameterOfShading) {
+  sweep_parameters("shading", [](Json module) {
+    Json document = without_filters();
+    document["context"]["shading"] = std::move(module);
+    return document;
+  });
+}
+
+TEST(Sweep, EveryParameterOfFilters) {
+  sweep_parameters("filter", [](Json module) {
+    Json document = without_filters();
+    document["context"]["filters"] = {std::move(module)};
+    return document;
+  });
+}
+
+TEST(Sweep, EveryParameterOfLenses) {
+  for (const char* mode : {"cutaway", "magic"}) {
+    sweep_parameters("lens_shape", [mode](Json module) {
+      Json document = without_filters();
+      // Placed, and turned against every axis, so that no angle is without an effect.
+      for (const char* angle : {"azimuth_degrees", "elevation_degrees"})
+        if (!module.contains(angle) && module.at("name") != "sphere") module[angle] = 25;
+      document["lens"] = {{"mode", mode},
+                          {"centre_mm", {10, -70, 15}},
+                          {"radius_mm", 45},
+                          {"shape", std::move(module)}};
+      return document;
+    });
   }
 }
 

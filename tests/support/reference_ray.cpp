@@ -9,6 +9,7 @@ Ray::Ray(const Scene& scene, const Volume& volume, const ViewRay& ray, double st
          int picture_height_px)
     : camera_(scene.camera),
       scene_lens_(scene.lens),
+      lens_(scene.lens),
       volume_(volume),
       ray_(ray),
       to_index_(patient_to_index(volume.geometry)),
@@ -44,19 +45,8 @@ Interval Ray::box_interval() const {
   return interval;
 }
 
-Interval Ray::lens_interval() const {
-  if (scene_lens_.mode == LensMode::none || scene_lens_.radius_mm <= 0.0) return {};
-  const glm::dvec3 from_centre = ray_.origin_mm - scene_lens_.centre_mm;
-  const double half_b = glm::dot(from_centre, ray_.direction);
-  const double discriminant = half_b * half_b - glm::dot(from_centre, from_centre) +
-                              scene_lens_.radius_mm * scene_lens_.radius_mm;
-  if (discriminant <= 0.0) return {};
-  const double root = std::sqrt(discriminant);
-  return {-half_b - root, -half_b + root};
-}
-
 bool Ray::is_under_lens() const {
-  const Interval lens = lens_interval();
+  const Interval lens = lens_.interval(ray_);
   return !lens.is_empty() && lens.end_mm > 0.0;
 }
 
@@ -69,10 +59,7 @@ double Ray::rim_depth_mm(const RayPart& in_lens) const {
                               : in_lens.stretch.end_mm * 2.0 *
                                     std::tan(0.5 * glm::radians(camera_.vertical_fov_degrees)) /
                                     picture_height_px_;
-  const double half_chord_mm = 0.5 * (in_lens.stretch.end_mm - in_lens.stretch.begin_mm);
-  const double deeper_mm =
-      std::sqrt(half_chord_mm * half_chord_mm + 2.0 * scene_lens_.radius_mm * 2.0 * pixel_mm) -
-      half_chord_mm;
+  const double deeper_mm = lens_.rim_mm(ray_, in_lens.stretch, 2.0 * pixel_mm);
   return two_voxels_mm + 2.0 * pixel_mm + deeper_mm;
 }
 
@@ -92,7 +79,7 @@ RayPart Ray::whole(BranchName branch) const {
 }
 
 std::array<RayPart, 3> Ray::cutaway_parts() const {
-  Interval lens = lens_interval();
+  Interval lens = lens_.interval(ray_);
   lens = {std::max(lens.begin_mm, box_.begin_mm), std::min(lens.end_mm, box_.end_mm)};
   if (lens.is_empty()) lens = {box_.end_mm, box_.end_mm};
   std::array<RayPart, 3> parts = {whole(BranchName::context), whole(BranchName::focus),
@@ -162,7 +149,7 @@ glm::dvec3 Ray::gradient_normal(double distance_mm) const {
 
 std::optional<glm::dvec3> Ray::lens_face(double distance_mm) const {
   if (scene_lens_.cap != LensCap::flat) return std::nullopt;
-  return facing(glm::normalize(position_mm(distance_mm) - scene_lens_.centre_mm));
+  return facing(lens_.normal(position_mm(distance_mm)));
 }
 
 glm::dvec3 Ray::box_face() const {

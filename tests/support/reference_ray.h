@@ -7,18 +7,12 @@
 
 #include "scene/scene.h"
 #include "scene/view_geometry.h"
+#include "support/reference_lens.h"
 #include "volume/volume.h"
 
 namespace cutaway::reference {
 
 enum class BranchName { context, focus };
-
-/// Distances along the ray, mm.
-struct Interval {
-  double begin_mm = 0.0;
-  double end_mm = 0.0;
-  bool is_empty() const { return end_mm <= begin_mm; }
-};
 
 /// A stretch of the ray in which only one branch exists.
 struct RayPart {
@@ -62,7 +56,6 @@ class Ray {
   glm::dvec3 index_at(double distance_mm) const;
   glm::dvec3 facing(glm::dvec3 normal) const;
   Interval box_interval() const;
-  Interval lens_interval() const;
   double rim_depth_mm(const RayPart& in_lens) const;
   double bisect(double near_mm, double far_mm, const ValueBand& band) const;
   std::optional<glm::dvec3> lens_face(double distance_mm) const;
@@ -70,6 +63,7 @@ class Ray {
 
   const Camera& camera_;
   const Lens& scene_lens_;
+  ReferenceLens lens_;
   const Volume& volume_;
   ViewRay ray_;
   glm::dmat4 to_index_;

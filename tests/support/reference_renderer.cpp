@@ -67,18 +67,15 @@ BranchImage draw_branch(const Branch& described, const Image<RayLayers>& rays,
   return image;
 }
 
-/// The focus' share under the Magic Lens for a ray that passes its middle at a distance.
+/// The focus' share under the Magic Lens, by how near to its middle a ray passes.
 double magic_weight(const Lens& lens, const ViewRay& ray) {
-  const glm::dvec3 to_centre = lens.centre_mm - ray.origin_mm;
-  const double nearest_mm = glm::dot(to_centre, ray.direction);
-  const double distance_mm =
-      std::sqrt(std::max(0.0, glm::dot(to_centre, to_centre) - nearest_mm * nearest_mm));
-  if (distance_mm >= lens.radius_mm) return 0.0;
-  const double half_mm = std::sqrt(lens.radius_mm * lens.radius_mm - distance_mm * distance_mm);
-  if (nearest_mm + half_mm <= 0.0) return 0.0;
-  const double inner_mm = lens.radius_mm * (1.0 - lens.softness);
-  if (distance_mm <= inner_mm) return lens.strength;
-  const double t = (distance_mm - inner_mm) / (lens.radius_mm - inner_mm);
+  const ReferenceLens body(lens);
+  const Interval crossed = body.interval(ray);
+  if (crossed.is_empty() || crossed.end_mm <= 0.0) return 0.0;
+  const double offset = body.offset(ray);
+  const double inner = 1.0 - lens.softness;
+  if (offset <= inner) return lens.strength;
+  const double t = (offset - inner) / lens.softness;
   return lens.strength * (1.0 - t * t * (3.0 - 2.0 * t));
 }
 

@@ -11,7 +11,6 @@ import {
 } from '../src/view/camera_motion.ts';
 import { edgeLetters, STANDARD_VIEWS } from '../src/view/orientation.ts';
 import { elementToPicture, pictureToElement } from '../src/view/picture_fit.ts';
-import { sphereOutlinePx } from '../src/view/sphere_outline.ts';
 import { add, cross, dot, length, scale, subtract, type Vector3 } from '../src/view/vector.ts';
 
 const viewport = { width_px: 800, height_px: 600 };
@@ -174,23 +173,6 @@ describe('orientation', () => {
 
   it('names both directions between two axes, the stronger first', () => {
     expect(edgeLetters(cameraAxes(orbit(front, Math.PI / 6, 0))).right).toBe('LA');
-  });
-});
-
-describe('the outline of a sphere', () => {
-  it('touches the sphere with every ray', () => {
-    const centre_mm: Vector3 = [40, -30, 25];
-    for (const camera of Object.values(cameras)) {
-      for (const point_px of sphereOutlinePx(camera, viewport, centre_mm, 60) ?? []) {
-        const { origin_mm, direction } = rayThrough(camera, viewport, point_px);
-        expect(length(cross(direction, subtract(centre_mm, origin_mm)))).toBeCloseTo(60, 6);
-      }
-    }
-    expect(sphereOutlinePx(front, viewport, centre_mm, 60)).toHaveLength(72);
-  });
-
-  it('is nothing for an eye inside', () => {
-    expect(sphereOutlinePx(front, viewport, front.eye_mm, 60)).toBeUndefined();
   });
 });
 

@@ -2,6 +2,7 @@
 import type {
   CapabilitiesMessage,
   ModuleDescription,
+  ParameterDescription,
   SceneStateMessage,
   VolumeSummary,
 } from '../src/protocol/messages.ts';
@@ -84,6 +85,68 @@ const lines: ModuleDescription = {
   parameters: [],
 };
 
+const SECTION_CORNERS = 33;
+
+export const sphere: ModuleDescription = {
+  name: 'sphere',
+  title: 'Sphere',
+  description: '',
+  parameters: [],
+  outline: {
+    profile: Array.from({ length: SECTION_CORNERS }, (_, index): [number, number] => {
+      const angle = (Math.PI * index) / (SECTION_CORNERS - 1);
+      return [Math.sin(angle), -Math.cos(angle)];
+    }) as [[number, number], [number, number]],
+    round: true,
+  },
+};
+
+const half = (name: string, axis: 'x' | 'y' | 'z'): ParameterDescription => ({
+  name,
+  axis,
+  title: name,
+  description: '',
+  type: 'number',
+  default: 1,
+  minimum: 0,
+  maximum: 4,
+  level: 'basic',
+});
+
+const turned = (name: string): ParameterDescription => ({
+  name,
+  title: name,
+  description: '',
+  type: 'number',
+  default: 0,
+  minimum: -180,
+  maximum: 180,
+  level: 'basic',
+});
+
+export const box: ModuleDescription = {
+  name: 'box',
+  title: 'Box',
+  description: '',
+  parameters: [
+    half('width', 'x'),
+    half('height', 'y'),
+    half('depth', 'z'),
+    turned('azimuth_degrees'),
+    turned('elevation_degrees'),
+    turned('roll_degrees'),
+  ],
+  outline: {
+    profile: [
+      [0, -1],
+      [1, -1],
+      [1, 1],
+      [0, 1],
+    ],
+    round: false,
+  },
+};
+
 export const capabilities: CapabilitiesMessage = {
   type: 'capabilities',
   protocol: 'cutaway.v1',
@@ -100,7 +163,7 @@ export const capabilities: CapabilitiesMessage = {
   modules: {
     shading: [tone, phong],
     filter: [blur, lines],
-    lens_shape: [{ name: 'sphere', title: 'Sphere', description: '', parameters: [] }],
+    lens_shape: [sphere, box],
   },
   styles: [
     {

@@ -25,7 +25,7 @@ const ajv = new Ajv({
   strictTypes: false,
   allErrors: false,
   schemas,
-  keywords: ['x-unit', 'x-step', 'x-level', 'x-kind', 'x-alias'].concat(
+  keywords: ['x-unit', 'x-step', 'x-level', 'x-kind', 'x-alias', 'x-axis'].concat(
     'x-belongs-to',
     'x-optional',
     'x-read-by',

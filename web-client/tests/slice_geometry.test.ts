@@ -8,7 +8,6 @@ import {
   type SliceName,
   type Slices,
 } from '../src/view/slice_geometry.ts';
-import { cutLens, radiusOfCut } from '../src/view/slice_lens.ts';
 import {
   isTilted,
   panned,
@@ -127,15 +126,6 @@ describe('a slice’s picture', () => {
     const narrow = { width_px: 100, height_px: 400 };
     const view = sliceProjection(planeOf('axial', whole), volume, narrow);
     expect(view.mm_per_pixel * 400).toBeCloseTo(400 * 1.02, 6);
-  });
-
-  it('shows the lens where it cuts it', () => {
-    const view = viewOf('axial');
-    const cut = cutLens(view, [10, 20, 6], 5);
-    expectPoint(cut?.centre_px, [200, 100]);
-    expect(cut?.radius_px).toBeCloseTo(8, 9);
-    expect(cutLens(view, [10, 20, 8.5], 5)).toBeUndefined();
-    expect(radiusOfCut(view, [10, 20, 6], 8)).toBeCloseTo(5, 9);
   });
 });
 

@@ -59,9 +59,9 @@ void FilterPass::run(const FilterKey& key, int step, const FilterInput& input,
   program.set_texture("colour_texture", 0, input.colour.name());
   program.set_texture("silhouette_texture", 1, input.silhouette.name());
   program.set_texture("surface_texture", 2, input.surface.name());
-  program.set_texture("colour_sums", 3, target.sums.colour_sums.name());
-  program.set_texture("square_sums", 4, target.sums.square_sums.name());
-  program.set_texture("windows", 5, target.sums.windows.name());
+  program.offer_texture("colour_sums", 3, target.sums.colour_sums.name());
+  program.offer_texture("square_sums", 4, target.sums.square_sums.name());
+  program.offer_texture("windows", 5, target.sums.windows.name());
   program.set("supersampling", input.surface.size_px().x / input.colour.size_px().x);
   program.set("is_cut", input.is_cut ? 1 : 0);
   entry.filter->set_parameters(program, key.filter.parameters, key.resolution_scale);

@@ -19,7 +19,7 @@ struct FilterKey {
   bool operator==(const FilterKey&) const = default;
 };
 
-/// What shaders/filter.glsl reads.
+/// What filter.glsl reads.
 struct FilterInput {
   const gl::Texture2D& colour;      ///< the branch's picture so far
   const gl::Texture2D& silhouette;  ///< coverage as if no lens had taken anything away

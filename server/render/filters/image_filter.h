@@ -8,7 +8,7 @@
 
 namespace cutaway {
 
-/// One registry entry: fragment shaders over shaders/filter.glsl, drawn one after the other, and
+/// One registry entry: fragment shaders over filter.glsl, drawn one after the other, and
 /// how their uniforms follow from the module's parameters. `resolution_scale` is picture pixels per
 /// viewport pixel: lengths in px are the viewport's.
 struct ImageFilter {

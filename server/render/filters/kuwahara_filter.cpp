@@ -1,4 +1,4 @@
-// See shaders/filter_kuwahara.frag.
+// See kuwahara.frag.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,8 +24,7 @@ void set_parameters(const gl::Program& program, const Json& parameters, double r
   program.set("radius_px", reach_px(parameters, resolution_scale));
 }
 
-constexpr std::array kShaders = {"filter_kuwahara_rows.frag", "filter_kuwahara_windows.frag",
-                                 "filter_kuwahara.frag"};
+constexpr std::array kShaders = {"kuwahara_rows.frag", "kuwahara_windows.frag", "kuwahara.frag"};
 
 }  // namespace
 

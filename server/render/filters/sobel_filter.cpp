@@ -1,4 +1,4 @@
-// See shaders/filter_sobel.frag.
+// See sobel.frag.
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -34,7 +34,7 @@ void set_parameters(const gl::Program& program, const Json& parameters, double) 
 
 int reach_px(const Json&, double) { return 0; }
 
-constexpr std::array kShaders = {"filter_sobel.frag"};
+constexpr std::array kShaders = {"sobel.frag"};
 
 }  // namespace
 

@@ -5,7 +5,7 @@
 // J. Viega et al., "3D Magic Lenses", UIST 1996.
 
 #include "pixel_ray.glsl"
-#include LENS_SHAPE
+#include "lens.glsl"
 
 uniform sampler2D context_colour;
 uniform sampler2D focus_colour;

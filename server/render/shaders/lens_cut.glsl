@@ -86,11 +86,9 @@ vec3 face_at_begin(Ray ray, Course course, float begin_mm) {
 
 // How much deeper the lens' surface lies two pixels away, at the most: towards its rim that grows without bound. A surface
 // that runs out of the lens between two pixels goes on within this length of the lens' end.
-float rim_depth_mm(Course course) {
+float rim_depth_mm(Ray ray, Course course) {
   float reach_mm = 2.0 * pixel_size * (is_perspective ? course.lens_mm.y : 1.0);
-  float half_chord_mm = 0.5 * (course.lens_mm.y - course.lens_mm.x);
-  float deeper_mm = sqrt(half_chord_mm * half_chord_mm + 2.0 * lens_radius_mm * reach_mm) - half_chord_mm;
-  return rim_mm + reach_mm + deeper_mm;
+  return rim_mm + reach_mm + lens_rim_mm(ray.origin_mm, ray.direction, course.lens_mm, reach_mm);
 }
 
 // Whether a ray that has met no focus inside of the lens would do so just outside. Then the lens has cut the focus off
@@ -98,7 +96,7 @@ float rim_depth_mm(Course course) {
 bool is_cut_off(Ray ray, Course course, bool is_asked) {
   const int SAMPLES = 8;
   vec2 band = band_of(FOCUS);
-  float depth_mm = rim_depth_mm(course);
+  float depth_mm = rim_depth_mm(ray, course);
   float step_outside_mm = depth_mm / float(SAMPLES);
   BrickRay bricks = brick_ray();
   bool may_be = may_be_near(FOCUS, bricks, course.lens_mm.x, depth_mm) ||

@@ -9,7 +9,7 @@
 #include "volume_along_rays.glsl"
 #include "empty_space.glsl"
 #include "bands.glsl"
-#include LENS_SHAPE
+#include "lens.glsl"
 #include "lens_cut.glsl"
 #include "surface_search.glsl"
 #include "translucent_band.glsl"

@@ -1,4 +1,4 @@
-// Gooch's warm-to-cool shading; see shaders/shade_gooch.glsl.
+// Gooch's warm-to-cool shading; see gooch.glsl.
 #include "render/parameters.h"
 #include "render/shading/shading_model.h"
 
@@ -16,6 +16,6 @@ void set_parameters(const UniformStruct& uniforms, const Json& parameters) {
 
 }  // namespace
 
-extern const ShadingModel kGoochShading{"gooch", "shade_gooch.glsl", set_parameters};
+extern const ShadingModel kGoochShading{"gooch", "gooch.glsl", set_parameters};
 
 }  // namespace cutaway

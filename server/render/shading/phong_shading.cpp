@@ -1,4 +1,4 @@
-// Phong and Blinn-Phong; see shaders/shade_phong.glsl.
+// Phong and Blinn-Phong; see phong.glsl.
 #include "render/parameters.h"
 #include "render/shading/shading_model.h"
 
@@ -17,6 +17,6 @@ void set_parameters(const UniformStruct& uniforms, const Json& parameters) {
 
 }  // namespace
 
-extern const ShadingModel kPhongShading{"phong", "shade_phong.glsl", set_parameters};
+extern const ShadingModel kPhongShading{"phong", "phong.glsl", set_parameters};
 
 }  // namespace cutaway

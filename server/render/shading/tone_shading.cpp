@@ -1,4 +1,4 @@
-// The flexible tone shader; see shaders/shade_tone.glsl.
+// The flexible tone shader; see tone.glsl.
 #include "render/parameters.h"
 #include "render/shading/shading_model.h"
 
@@ -16,6 +16,6 @@ void set_parameters(const UniformStruct& uniforms, const Json& parameters) {
 
 }  // namespace
 
-extern const ShadingModel kToneShading{"tone", "shade_tone.glsl", set_parameters};
+extern const ShadingModel kToneShading{"tone", "tone.glsl", set_parameters};
 
 }  // namespace cutaway

@@ -7,7 +7,7 @@
 
 #include "benchmark/options.h"
 #include "render/filters/filter_registry.h"
-#include "render/lenses/lens_registry.h"
+#include "scene/lenses/lens_shape.h"
 #include "scene/resolve.h"
 
 namespace cutaway::benchmark {

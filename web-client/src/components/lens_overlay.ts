@@ -1,15 +1,16 @@
-// The lens' outline over the picture, with a grip that moves it over the surface and one that
-// resizes it.
+// The lens' outline over the picture, with a grip that moves it over the surface, one that resizes
+// it, and one that turns it where its shape looks another way then.
 import { css, html, nothing, svg } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { styleMap } from 'lit/directives/style-map.js';
 import { picturePoint } from '../interaction/picture_point.ts';
 import { toolInHand } from '../state/measure_state.ts';
 import { cameraOf } from '../state/scene_parts.ts';
-import { pixelSizeMm, projectPx, type Camera, type Point, type Viewport } from '../view/camera.ts';
+import { cameraAxes, projectPx, type Camera, type Point, type Viewport } from '../view/camera.ts';
 import { pictureToElement } from '../view/picture_fit.ts';
-import { sphereOutlinePx } from '../view/sphere_outline.ts';
-import type { Vector3 } from '../view/vector.ts';
+import { canTurn, lensBody, lensDirection, type LensBody } from '../view/lens_body.ts';
+import { cornersOf, farthest, lensOutlinePx } from '../view/lens_outline.ts';
+import { rotateAbout, type Vector3 } from '../view/vector.ts';
 import { lens_styles } from '../styles/lens.ts';
 import { overlay_styles } from '../styles/overlay.ts';
 import { shared } from '../styles/shared.ts';
@@ -22,9 +23,15 @@ const SIZE_STEP = 1.08;
 interface LensInPicture {
   readonly camera: Camera;
   readonly viewport: Viewport;
-  readonly centre_mm: Vector3;
+  readonly body: LensBody;
   readonly centre_px: Point;
   readonly outline_px: readonly Point[];
+}
+
+/** Where a turn began: the pointer, and which way the lens pointed in the patient. */
+interface RolledFrom {
+  readonly at_px: Point;
+  readonly ahead: Vector3;
 }
 
 @customElement('cutaway-lens-overlay')
@@ -36,7 +43,10 @@ export class LensOverlay extends SessionElement {
     'viewport',
     'lens_follows',
     'measure',
+    'capabilities',
   ] as const;
+
+  private rolled_from: RolledFrom | undefined;
 
   /** While the lens is dragged: where the pointer is, device pixels. */
   @state() private drag_px: Point | undefined;
@@ -67,37 +77,27 @@ export class LensOverlay extends SessionElement {
   ];
 
   private lensInPicture(): LensInPicture | undefined {
-    const { shown, shown_scene, scene } = this.state;
+    const { shown, shown_scene, scene, capabilities } = this.state;
     const camera = cameraOf(shown_scene);
-    const { centre_mm, radius_mm, mode } = shown_scene?.lens ?? {};
-    if (
-      !shown ||
-      !camera ||
-      !centre_mm ||
-      !radius_mm ||
-      mode === 'none' ||
-      scene?.lens?.mode === 'none'
-    )
-      return undefined;
+    const body = lensBody(shown_scene?.lens, capabilities?.modules.lens_shape);
+    if (!shown || !camera || !body || scene?.lens?.mode === 'none') return undefined;
     const viewport = { width_px: shown.viewport_width_px, height_px: shown.viewport_height_px };
-    const centre_px = projectPx(camera, viewport, centre_mm);
-    const outline_px = sphereOutlinePx(camera, viewport, centre_mm, radius_mm);
-    return centre_px && outline_px && { camera, viewport, centre_mm, centre_px, outline_px };
+    const centre_px = projectPx(camera, viewport, body.centre_mm);
+    const outline_px = lensOutlinePx(camera, viewport, body);
+    return centre_px && outline_px && { camera, viewport, body, centre_px, outline_px };
   }
 
   override render() {
     const lens = this.lensInPicture();
     if (!lens) return nothing;
     const { width_px, height_px } = lens.viewport;
-    const points = lens.outline_px
-      .map((point) => point.map((part) => part.toFixed(1)).join(','))
-      .join(' ');
-    const right_px = lens.outline_px.reduce((most, point) => (point[0] > most[0] ? point : most));
+    const points = cornersOf(lens.outline_px);
+    const free = !this.state.lens_follows && !toolInHand(this.state.measure);
     return html`
       <svg viewBox="0 0 ${width_px} ${height_px}" aria-hidden="true">
         ${svg`<polygon class="halo" points=${points} /><polygon points=${points} />`}
       </svg>
-      ${this.state.lens_follows || toolInHand(this.state.measure) ? nothing : [this.moveGrip(lens), this.sizeGrip(lens, right_px)]}
+      ${free ? [this.moveGrip(lens), this.sizeGrip(lens), this.turnGrip(lens)] : nothing}
     `;
   }
 
@@ -118,14 +118,13 @@ export class LensOverlay extends SessionElement {
     </button>`;
   }
 
-  private sizeGrip(lens: LensInPicture, position_px: Point) {
+  private sizeGrip(lens: LensInPicture) {
+    const right_px = farthest(lens.outline_px, [1, 0]);
+    const reach_at_rim_px = reachPx(lens, right_px);
     const resize = (event: PointerEvent): void => {
       if (!this.holds(event)) return;
-      const [x, y] = this.devicePoint(event);
-      const reach_px = Math.hypot(x - lens.centre_px[0], y - lens.centre_px[1]);
-      this.session.commands.setLensRadius(
-        reach_px * pixelSizeMm(lens.camera, lens.viewport, lens.centre_mm),
-      );
+      const factor = reachPx(lens, this.devicePoint(event)) / reach_at_rim_px;
+      this.session.commands.setLensRadius(factor * (this.state.shown_scene?.lens?.radius_mm ?? 0));
     };
     return html`<button
       class="size"
@@ -133,11 +132,39 @@ export class LensOverlay extends SessionElement {
       aria-hidden="true"
       title=${words().page.lens_size}
       data-part="lens-size-grip"
-      style=${styleMap(this.place(position_px, lens.viewport))}
+      style=${styleMap(this.place(right_px, lens.viewport))}
       @pointerdown=${this.grab}
       @pointermove=${resize}
     >
       <span class="grip"></span>
+    </button>`;
+  }
+
+  /** Held, it rolls the lens as a ball under the pointer. */
+  private turnGrip(lens: LensInPicture) {
+    const { capabilities, shown_scene } = this.state;
+    const name = shown_scene?.lens?.shape?.name;
+    if (!canTurn(capabilities?.modules.lens_shape.find((shape) => shape.name === name)))
+      return nothing;
+    const turn = (event: PointerEvent): void => {
+      if (!this.holds(event) || !this.rolled_from) return;
+      const direction = rolled(lens, this.rolled_from, this.devicePoint(event));
+      this.session.commands.change({ lens: { shape: { ...lensDirection(direction) } } });
+    };
+    return html`<button
+      class="turn"
+      tabindex="-1"
+      aria-hidden="true"
+      title=${words().page.lens_turn}
+      data-part="lens-turn-grip"
+      style=${styleMap(this.place(farthest(lens.outline_px, [-1, 1]), lens.viewport))}
+      @pointerdown=${(event: PointerEvent) => {
+        this.rolled_from = { at_px: this.devicePoint(event), ahead: lens.body.half_edges_mm[2] };
+        this.grab(event);
+      }}
+      @pointermove=${turn}
+    >
+      <span class="grip"><wa-icon name="reset"></wa-icon></span>
     </button>`;
   }
 
@@ -188,4 +215,15 @@ export class LensOverlay extends SessionElement {
     event.stopPropagation();
     action();
   }
+}
+
+const reachPx = ({ centre_px: [x, y] }: LensInPicture, [to_x, to_y]: Point): number =>
+  Math.hypot(to_x - x, to_y - y);
+
+/** Which way the lens points once the pointer has rolled it so far; patient space. */
+function rolled({ camera, outline_px, centre_px }: LensInPicture, from: RolledFrom, to_px: Point) {
+  const { right, up } = cameraAxes(camera);
+  const radius_px = Math.max(1, ...outline_px.map(([x]) => Math.abs(x - centre_px[0])));
+  const angle = (axis: 0 | 1): number => (to_px[axis] - from.at_px[axis]) / radius_px;
+  return rotateAbout(rotateAbout(from.ahead, up, angle(0)), right, angle(1));
 }

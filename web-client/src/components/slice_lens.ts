@@ -11,7 +11,8 @@ import { shownSlice, viewportOf } from '../state/slice_views.ts';
 import type { Point } from '../view/camera.ts';
 import { pictureToElement } from '../view/picture_fit.ts';
 import type { SliceName, SliceProjection } from '../view/slice_geometry.ts';
-import { cutLens, type CutLens } from '../view/slice_lens.ts';
+import { lensBody } from '../view/lens_body.ts';
+import { cornersOf, farthest, lensCutPx } from '../view/lens_outline.ts';
 import { lens_styles } from '../styles/lens.ts';
 import { overlay_styles } from '../styles/overlay.ts';
 import { shared } from '../styles/shared.ts';
@@ -20,13 +21,35 @@ import { SessionElement } from './session_element.ts';
 
 const STEP_CSS_PX = 8;
 const SIZE_STEP = 1.08;
-/** Clockwise from the picture's right: the first that lies within the picture. */
-const MOVE_GRIP_AT = [-Math.PI / 2, Math.PI / 2, Math.PI] as const;
-const SIZE_GRIP_AT = [0, Math.PI / 4, (3 * Math.PI) / 4] as const;
+/** Directions in the picture: the outline's farthest point of the first that lies within it. */
+const MOVE_GRIP_AT: Directions = [
+  [0, -1],
+  [0, 1],
+  [-1, 0],
+];
+const SIZE_GRIP_AT: Directions = [
+  [1, 0],
+  [1, 1],
+  [-1, 1],
+];
+
+type Directions = readonly [Point, ...Point[]];
+
+interface CutLens {
+  /** Of the lens itself, along the slice's normal. */
+  readonly centre_px: Point;
+  readonly outline_px: readonly Point[];
+}
 
 @customElement('cutaway-slice-lens')
 export class SliceLens extends SessionElement {
-  protected override readonly draws = ['slice_views', 'scene', 'volume', 'measure'] as const;
+  protected override readonly draws = [
+    'slice_views',
+    'scene',
+    'volume',
+    'measure',
+    'capabilities',
+  ] as const;
 
   @property({ attribute: false }) slice!: SliceName;
 
@@ -38,7 +61,7 @@ export class SliceLens extends SessionElement {
       :host {
         overflow: hidden;
       }
-      circle {
+      polygon {
         fill: none;
         stroke: #fff;
         stroke-opacity: 0.7;
@@ -77,19 +100,23 @@ export class SliceLens extends SessionElement {
 
   override render() {
     const view = shownSlice(this.state, this.slice);
-    const { centre_mm, radius_mm, mode } = this.state.scene?.lens ?? {};
-    if (!view || !centre_mm || !radius_mm || mode === 'none') return nothing;
-    const cut = cutLens(view, centre_mm, radius_mm);
-    if (!cut) return nothing;
+    const cut = view && this.cutBy(view);
+    if (!view || !cut) return nothing;
     const { width_px, height_px } = view.viewport;
-    const [x, y] = cut.centre_px;
-    const circle = (kind: string) =>
-      svg`<circle class=${kind} cx=${x} cy=${y} r=${cut.radius_px} />`;
+    const outline = (kind: string) =>
+      svg`<polygon class=${kind} points=${cornersOf(cut.outline_px)} />`;
     const free = toolInHand(this.state.measure) === undefined;
     return html`<svg viewBox="0 0 ${width_px} ${height_px}" aria-hidden="true" data-part="lens-cut">
-        ${circle('halo')} ${circle('')} ${free ? this.handle(cut) : nothing}
+        ${outline('halo')} ${outline('')} ${free ? this.handle(cut) : nothing}
       </svg>
       ${free ? [this.moveGrip(cut, view), this.sizeGrip(cut, view)] : nothing}`;
+  }
+
+  private cutBy(view: SliceProjection): CutLens | undefined {
+    const { scene, capabilities } = this.state;
+    const body = lensBody(scene?.lens, capabilities?.modules.lens_shape);
+    const outline_px = body && lensCutPx(view, body);
+    return outline_px && { centre_px: view.toPicture(body.centre_mm), outline_px };
   }
 
   private readonly pointOf = (event: PointerEvent): Point =>
@@ -102,8 +129,7 @@ export class SliceLens extends SessionElement {
 
   /** Thicker than the outline, so that a hand finds it. */
   private handle(cut: CutLens) {
-    const [x, y] = cut.centre_px;
-    return svg`<circle class="handle" cx=${x} cy=${y} r=${cut.radius_px}
+    return svg`<polygon class="handle" points=${cornersOf(cut.outline_px)}
       ${heldPoint(this.moving(cut))} />`;
   }
 
@@ -122,13 +148,11 @@ export class SliceLens extends SessionElement {
   }
 
   private sizeGrip(cut: CutLens, view: SliceProjection) {
-    const [x, y] = cut.centre_px;
     const at_px = gripAt(cut, SIZE_GRIP_AT, view);
     const held: HeldPoint = {
       pointOf: this.pointOf,
       start_px: at_px,
-      moved: (to_px) =>
-        this.session.slicing.setLensCut(this.slice, Math.hypot(to_px[0] - x, to_px[1] - y)),
+      moved: (to_px) => this.session.slicing.setLensCut(this.slice, to_px),
     };
     return html`<button
       class="size"
@@ -164,17 +188,12 @@ export class SliceLens extends SessionElement {
   }
 }
 
-const onCircle = ({ centre_px: [x, y], radius_px }: CutLens, angle: number): Point => [
-  x + radius_px * Math.cos(angle),
-  y + radius_px * Math.sin(angle),
-];
-
 function gripAt(
-  cut: CutLens,
-  angles: readonly [number, ...number[]],
+  { outline_px }: CutLens,
+  directions: Directions,
   { viewport: { width_px, height_px } }: SliceProjection,
 ): Point {
-  const places = angles.map((angle) => onCircle(cut, angle));
+  const places = directions.map((direction) => farthest(outline_px, direction));
   const visible = places.find(([x, y]) => x > 0 && y > 0 && x < width_px && y < height_px);
-  return visible ?? onCircle(cut, angles[0]);
+  return visible ?? farthest(outline_px, directions[0]);
 }

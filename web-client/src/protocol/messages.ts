@@ -4,6 +4,7 @@ export type {
   CapabilitiesMessage,
   ClientMessage,
   ErrorMessage,
+  LensOutline,
   Limits,
   LoadingMessage,
   ModuleDescription,

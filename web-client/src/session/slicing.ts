@@ -18,7 +18,7 @@ import {
   type SliceProjection,
   type Slices,
 } from '../view/slice_geometry.ts';
-import { radiusOfCut } from '../view/slice_lens.ts';
+import { gaugeOf, lensBody } from '../view/lens_body.ts';
 import {
   panned,
   scrolledBy,
@@ -160,12 +160,14 @@ export class Slicing {
     this.commands.set(['lens', 'centre_mm'], moved_mm);
   }
 
-  /** As large as makes its outline in the slice that large. */
-  setLensCut(name: SliceName, radius_px: number): void {
+  /** As large as makes its outline in the slice reach that point of the picture. */
+  setLensCut(name: SliceName, position_px: Point): void {
+    const { scene, capabilities } = this.state;
     const view = wantedSlice(this.state, name);
-    const centre_mm = this.state.scene?.lens?.centre_mm;
-    if (view && centre_mm)
-      this.commands.setLensRadius(radiusOfCut(view, centre_mm, Math.max(0, radius_px)));
+    const body = lensBody(scene?.lens, capabilities?.modules.lens_shape);
+    const radius_mm = scene?.lens?.radius_mm;
+    if (view && body && radius_mm)
+      this.commands.setLensRadius(radius_mm * gaugeOf(body, view.toPatient(position_px)));
   }
 
   /** As the slices are shown: the whole volume is larger or smaller from another side. */

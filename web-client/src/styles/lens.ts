@@ -28,6 +28,14 @@ export const lens_styles = css`
     opacity: 0.75;
     transition: opacity 120ms;
   }
+  .turn .grip {
+    width: 22px;
+    height: 22px;
+    font-size: 12px;
+  }
+  .turn {
+    cursor: grab;
+  }
   .size .grip {
     width: 16px;
     height: 16px;

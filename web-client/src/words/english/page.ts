@@ -49,6 +49,7 @@ export const page = {
   lens: 'Lens',
   lens_keys: 'Arrow keys move the lens over the surface, plus and minus resize it.',
   lens_size: 'Lens size',
+  lens_turn: 'Turn the lens',
   lens_follows: 'The lens follows the pointer. Escape ends it.',
   lossy: 'lossy',
   lossy_hint: 'JPEG-compressed',

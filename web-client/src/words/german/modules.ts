@@ -32,6 +32,24 @@ export const modules: ServedWords['modules'] = {
     title: 'Kugel',
     description: 'Alle Punkte im Umkreis des Radius um die Mitte der Linse, im Patientenraum.',
   },
+  'lens_shape.ellipsoid': {
+    title: 'Ellipsoid',
+    description: 'Eine Kugel, gestreckt in drei Richtungen, die senkrecht aufeinander stehen.',
+  },
+  'lens_shape.box': {
+    title: 'Quader',
+    description: 'Alle Punkte zwischen drei Paaren gleichlaufender Flächen.',
+  },
+  'lens_shape.cylinder': {
+    title: 'Zylinder',
+    description: 'Ein runder Stab mit flachen Enden, so dick wie die Linse.',
+  },
+  'lens_shape.cone': {
+    title: 'Kegel',
+    description:
+      'Er weitet sich von der Spitze zu einer flachen Grundfläche, so breit wie die Linse, auf der ' +
+      'Seite, zu der er zeigt.',
+  },
 };
 
 export const parameters: ServedWords['parameters'] = {
@@ -132,5 +150,81 @@ export const parameters: ServedWords['parameters'] = {
     description:
       'L1 summiert die Beträge beider Richtungen; L2 zieht die Wurzel ihrer Quadratsumme, sodass ' +
       'schräge Linien so viel wiegen wie gerade.',
+  },
+  'lens_shape.ellipsoid.width': {
+    title: 'Breite',
+    description: 'Ihre halbe Breite, in Radien der Linse.',
+  },
+  'lens_shape.ellipsoid.height': {
+    title: 'Höhe',
+    description: 'Ihre halbe Höhe, in Radien der Linse.',
+  },
+  'lens_shape.ellipsoid.depth': {
+    title: 'Tiefe',
+    description: 'Ihre halbe Tiefe, in Radien der Linse.',
+  },
+  'lens_shape.ellipsoid.azimuth_degrees': {
+    title: 'Nach links gedreht',
+    description:
+      'Wohin die Form zeigt, um die Längsachse: 0 nach vorn, 90 zur linken Seite des Patienten.',
+  },
+  'lens_shape.ellipsoid.elevation_degrees': {
+    title: 'Nach oben geneigt',
+    description: 'Wie weit die Form nach oben zeigt: 90 zum Kopf, -90 zu den Füßen.',
+  },
+  'lens_shape.ellipsoid.roll_degrees': {
+    title: 'Gerollt',
+    description: 'Wie weit die Form um ihre eigene Richtung gedreht ist.',
+  },
+  'lens_shape.box.width': {
+    title: 'Breite',
+    description: 'Ihre halbe Breite, in Radien der Linse.',
+  },
+  'lens_shape.box.height': {
+    title: 'Höhe',
+    description: 'Ihre halbe Höhe, in Radien der Linse.',
+  },
+  'lens_shape.box.depth': {
+    title: 'Tiefe',
+    description: 'Ihre halbe Tiefe, in Radien der Linse.',
+  },
+  'lens_shape.box.azimuth_degrees': {
+    title: 'Nach links gedreht',
+    description:
+      'Wohin die Form zeigt, um die Längsachse: 0 nach vorn, 90 zur linken Seite des Patienten.',
+  },
+  'lens_shape.box.elevation_degrees': {
+    title: 'Nach oben geneigt',
+    description: 'Wie weit die Form nach oben zeigt: 90 zum Kopf, -90 zu den Füßen.',
+  },
+  'lens_shape.box.roll_degrees': {
+    title: 'Gerollt',
+    description: 'Wie weit die Form um ihre eigene Richtung gedreht ist.',
+  },
+  'lens_shape.cylinder.length': {
+    title: 'Länge',
+    description: 'Ihre halbe Länge, in Radien der Linse.',
+  },
+  'lens_shape.cylinder.azimuth_degrees': {
+    title: 'Nach links gedreht',
+    description:
+      'Wohin die Form zeigt, um die Längsachse: 0 nach vorn, 90 zur linken Seite des Patienten.',
+  },
+  'lens_shape.cylinder.elevation_degrees': {
+    title: 'Nach oben geneigt',
+    description: 'Wie weit die Form nach oben zeigt: 90 zum Kopf, -90 zu den Füßen.',
+  },
+  'lens_shape.cone.length': {
+    title: 'Länge',
+    description: 'Ihre halbe Länge, in Radien der Linse.',
+  },
+  'lens_shape.cone.azimuth_degrees': {
+    title: 'Nach links gedreht',
+    description:
+      'Wohin die Form zeigt, um die Längsachse: 0 nach vorn, 90 zur linken Seite des Patienten.',
+  },
+  'lens_shape.cone.elevation_degrees': {
+    title: 'Nach oben geneigt',
+    description: 'Wie weit die Form nach oben zeigt: 90 zum Kopf, -90 zu den Füßen.',
   },
 };

@@ -49,6 +49,7 @@ export const page: Words['page'] = {
   lens: 'Linse',
   lens_keys: 'Pfeiltasten bewegen die Linse über die Oberfläche, Plus und Minus ändern ihre Größe.',
   lens_size: 'Größe der Linse',
+  lens_turn: 'Linse drehen',
   lens_follows: 'Die Linse folgt dem Zeiger. Escape beendet das.',
   lossy: 'verlustbehaftet',
   lossy_hint: 'JPEG-komprimiert',

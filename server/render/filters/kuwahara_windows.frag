@@ -1,6 +1,6 @@
 #version 450 core
 // Second of Kuwahara's three steps: the windows to the right of and below each pixel, from the sums of their rows. See
-// filter_kuwahara.frag.
+// kuwahara.frag.
 #include "filter.glsl"
 #include "kuwahara.glsl"
 

@@ -1,5 +1,5 @@
 #version 450 core
-// First of Kuwahara's three steps: sums over the window's width, from each pixel to the right. See filter_kuwahara.frag.
+// First of Kuwahara's three steps: sums over the window's width, from each pixel to the right. See kuwahara.frag.
 #include "filter.glsl"
 #include "kuwahara.glsl"
 

@@ -1,0 +1,81 @@
+#include "scene/lenses/lens_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/check.h"
+#include "scene/modules.h"
+
+namespace cutaway {
+
+namespace {
+
+/// A lens of no size is small instead: its maps stay finite.
+constexpr double kSmallest_mm = 1e-6;
+
+double degrees_or_0(const Json& parameters, const char* name) {
+  return glm::radians(parameters.value(name, 0.0));
+}
+
+/// The body's z towards the patient's front and its y upwards, then turned: azimuth to the
+/// patient's left, elevation upwards, roll about z.
+glm::dmat3 axes_of(const Json& parameters) {
+  const double azimuth = degrees_or_0(parameters, "azimuth_degrees");
+  const double elevation = degrees_or_0(parameters, "elevation_degrees");
+  const double roll = degrees_or_0(parameters, "roll_degrees");
+  const glm::dvec3 level(std::sin(azimuth), -std::cos(azimuth), 0.0);
+  const glm::dvec3 superior(0.0, 0.0, 1.0);
+  const glm::dvec3 z = std::cos(elevation) * level + std::sin(elevation) * superior;
+  const glm::dvec3 upright = std::cos(elevation) * superior - std::sin(elevation) * level;
+  const glm::dvec3 aside = glm::cross(upright, z);
+  return {std::cos(roll) * aside + std::sin(roll) * upright,
+          std::cos(roll) * upright - std::sin(roll) * aside, z};
+}
+
+glm::dvec3 half_size_mm(const Module& shape, double radius_mm) {
+  glm::dvec3 size(1.0);
+  for (const auto& [axis, parameter] : lens_axes(shape.name))
+    size[axis] = shape.parameters.at(parameter).get<double>();
+  return glm::max(radius_mm * size, kSmallest_mm);
+}
+
+}  // namespace
+
+LensBody::LensBody(const Lens& lens)
+    : body_(find_lens_shape(lens.shape.name).body),
+      centre_mm_(lens.centre_mm),
+      axes_(axes_of(lens.shape.parameters)),
+      half_size_mm_(half_size_mm(lens.shape, lens.radius_mm)) {}
+
+LensBody LensBody::at(glm::dvec3 centre_mm, double size) const {
+  LensBody moved = *this;
+  moved.centre_mm_ = centre_mm;
+  moved.half_size_mm_ *= size;
+  return moved;
+}
+
+std::optional<glm::dvec2> LensBody::interval_mm(const ViewRay& ray) const {
+  const glm::dmat3 to_body = body_from_patient();
+  const glm::dvec3 origin = to_body * (ray.origin_mm - centre_mm_);
+  const glm::dvec3 direction = to_body * ray.direction;
+  const double foot_mm = -glm::dot(origin, direction) / glm::dot(direction, direction);
+  const glm::dvec2 interval = body_->interval(origin + foot_mm * direction, direction);
+  if (interval.y <= interval.x) return std::nullopt;
+  return foot_mm + interval;
+}
+
+glm::dmat3 LensBody::half_edges_mm() const {
+  return {axes_[0] * half_size_mm_.x, axes_[1] * half_size_mm_.y, axes_[2] * half_size_mm_.z};
+}
+
+glm::dmat3 LensBody::body_from_patient() const {
+  return glm::transpose(glm::dmat3(axes_[0] / half_size_mm_.x, axes_[1] / half_size_mm_.y,
+                                   axes_[2] / half_size_mm_.z));
+}
+
+double LensBody::body_per_mm() const {
+  return 1.0 / std::min({half_size_mm_.x, half_size_mm_.y, half_size_mm_.z});
+}
+
+}  // namespace cutaway

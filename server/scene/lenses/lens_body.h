@@ -1,0 +1,40 @@
+// A scene's lens as a body in patient space: all that rays, regions and outlines ask of it.
+#pragma once
+
+#include <optional>
+
+#include "scene/lenses/lens_shape.h"
+#include "scene/scene.h"
+#include "scene/view_geometry.h"
+
+namespace cutaway {
+
+/// A unit body, turned, stretched and moved. Patient space, mm.
+class LensBody {
+ public:
+  /// The lens' radius is above 0.
+  explicit LensBody(const Lens& lens);
+
+  /// The same lens elsewhere, `size` times as large.
+  LensBody at(glm::dvec3 centre_mm, double size) const;
+
+  /// Where the ray enters and leaves, mm along it, behind its origin too; nothing where it misses.
+  std::optional<glm::dvec2> interval_mm(const ViewRay& ray) const;
+
+  const UnitBody& body() const { return *body_; }
+  glm::dvec3 centre_mm() const { return centre_mm_; }
+  /// Half edges of the box that holds it.
+  glm::dmat3 half_edges_mm() const;
+  /// Linear part; the body's own coordinates per mm.
+  glm::dmat3 body_from_patient() const;
+  /// The most that a length grows by that.
+  double body_per_mm() const;
+
+ private:
+  const UnitBody* body_;
+  glm::dvec3 centre_mm_;
+  glm::dmat3 axes_;  ///< the body's own, unit
+  glm::dvec3 half_size_mm_;
+};
+
+}  // namespace cutaway
