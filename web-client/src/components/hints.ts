@@ -110,8 +110,8 @@ export class Hints extends SessionElement {
           min-height: 44px;
         }
       }
-      /* Above the notices, which are broken into lines there. */
-      @media (max-width: 720px) {
+      /* Above the notices, which reach the middle there, or are broken into lines. */
+      @container (max-width: 640px) {
         section {
           padding-bottom: 88px;
         }

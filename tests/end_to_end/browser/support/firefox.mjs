@@ -57,6 +57,7 @@ export class Firefox {
     });
     this.#socket = connect(Number(await this.#port()), '127.0.0.1');
     this.#socket.on('data', (bytes) => this.#receive(bytes));
+    this.#socket.on('close', () => this.#gone());
     await once(this.#socket, 'connect');
     await this.#command('NewSession', { capabilities: {} });
     await this.#command('SetTimeouts', { script: SCRIPT_LIMIT_MS });
@@ -105,11 +106,14 @@ export class Firefox {
     else resolve(result);
   }
 
+  #gone() {
+    for (const { reject } of this.#waiting.values()) reject(new Error('Firefox has ended'));
+  }
+
   #command(name, parameters = {}) {
     const text = JSON.stringify([COMMAND, ++this.#last, `WebDriver:${name}`, parameters]);
     const answer = new Promise((resolve, reject) => {
       this.#waiting.set(this.#last, { resolve, reject });
-      this.#socket.once('close', () => reject(new Error('Firefox has ended')));
     });
     this.#socket.write(`${Buffer.byteLength(text)}:${text}`);
     return answer;
