@@ -71,6 +71,10 @@ std::optional<HeadRefusal> wrong_host(const HttpRequest& request) {
 std::optional<HeadRefusal> wrong_framing(const HttpRequest& request) {
   const std::size_t lengths = request.count(http::field::content_length);
   if (lengths > 1) return malformed("The request has several Content-Length fields.");
+  const std::string_view length = view_of(request[http::field::content_length]);
+  if (length.find_first_not_of(kDigits) != std::string_view::npos) {
+    return malformed("The request's Content-Length is no number.");
+  }
   if (request.count(http::field::transfer_encoding) == 0) return std::nullopt;
   if (lengths > 0) return malformed("The request has Content-Length and Transfer-Encoding.");
   if (request.version() < 11) return malformed("HTTP/1.0 knows no Transfer-Encoding.");

@@ -214,7 +214,7 @@ TEST(HttpCorpus, Framing) {
        get(chunked + "Content-Length: 5\r\n") + "0\r\n\r\n",
        {400},
        Then::ends},
-      {"chunks twice", get(chunked + chunked) + "0\r\n\r\n", {501}, Then::ends},
+      {"chunks twice", get(chunked + chunked) + "0\r\n\r\n", {400}, Then::ends},
       {"an unknown coding (6.1)", get("Transfer-Encoding: gzip\r\n"), {501}, Then::ends},
       {"chunks within", get("Transfer-Encoding: chunked, identity\r\n"), {501}, Then::ends},
       {"a mark after it", get("Transfer-Encoding: chunked\x0b\r\n"), {400}, Then::ends},
