@@ -75,9 +75,27 @@ class CrowdTest(unittest.TestCase):
         self.addCleanup(client.close)
         return client
 
+    def placed(self, server, source):
+        """One that has a seat or waits for one."""
+        client = self.client(server, source)
+        client.receive()
+        return client
+
+    def admitted(self, server, source):
+        """One that asks again until the full queue has a place for it."""
+        while True:
+            client = self.client(server, source)
+            try:
+                client.text("capabilities")
+                return client
+            except Closed as closed:
+                self.assertEqual(closed.code, 1013)
+                client.close()
+                time.sleep(0.2)
+
     def test_who_holds_every_seat_and_place_leaves_room_for_another(self):
         server = self.server("limit_loopback = true\nshare_wait_ms = 1000\n")
-        holders = [self.client(server, "127.0.0.2") for _ in range(164)]
+        holders = [self.placed(server, "127.0.0.2") for _ in range(164)]
         with self.assertRaises(Closed) as refused:
             self.client(server, "127.0.0.2").text("capabilities")
         self.assertEqual(refused.exception.code, 1013)
@@ -85,27 +103,22 @@ class CrowdTest(unittest.TestCase):
         for holder in holders[:64]:
             holder.send(type="presence", visible=True)
         honest = self.client(server, "127.0.0.3")
+        honest.text("capabilities")
+        honest.send(type="presence", visible=True)
         honest.open(HEAD)
         honest.rest()
 
     def test_silent_holders_from_many_addresses_leave_room_as_well(self):
-        server = self.server("limit_loopback = true\nidle_seat_ms = 500\nsessions = 8\nqueued_sessions = 8\n")
+        server = self.server("limit_loopback = true\nidle_seat_ms = 3000\nsessions = 8\nqueued_sessions = 8\n")
         for number in range(16):
-            self.client(server, f"127.0.1.{number + 1}")
-        honest = None
-        while honest is None:  # the queue empties as the silent give way
-            client = self.client(server, "127.0.0.3")
-            try:
-                client.text("capabilities")
-                honest = client
-            except Closed as closed:
-                self.assertEqual(closed.code, 1013)
+            self.placed(server, f"127.0.1.{number + 1}")
+        honest = self.admitted(server, "127.0.0.3")
         honest.send(type="presence", visible=True)
         honest.open(HEAD)
         honest.rest()
 
     def test_a_session_that_gave_way_is_had_again_in_its_turn(self):
-        server = self.server("sessions = 1\nidle_seat_ms = 0\n")
+        server = self.server("sessions = 1\nidle_seat_ms = 1000\n")
         first = self.client(server, "127.0.0.1")
         first.open(HEAD)
         second = self.client(server, "127.0.0.1")
@@ -115,9 +128,11 @@ class CrowdTest(unittest.TestCase):
         self.assertEqual(ended.exception.code, 4000)
         second.text("capabilities")
         second.send(type="presence", visible=True)
+        second.open(KNEES)  # so that its presence has been heard
         again = self.client(server, "127.0.0.1")
         self.assertEqual(again.text("queued")["place"], 1)
         second.close()
+        again.text("capabilities")
         again.open(HEAD)
         again.rest()
 
