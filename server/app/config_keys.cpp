@@ -4,6 +4,8 @@
 #include <array>
 
 #include "core/error.h"
+#include "net/client_address.h"
+#include "net/request_head.h"
 #include "scene/client_message.h"
 
 namespace cutaway {
@@ -44,6 +46,23 @@ void set_log_level(Config& config, const std::string& level) {
   config.log_level = level;
 }
 
+void set_hosts(Config& config, const std::vector<std::string>& hosts) {
+  for (const std::string& host : hosts) {
+    const bool has_port = !host.starts_with('[') && host.find(':') != std::string::npos;
+    if (!host.empty() && !has_port && !host.ends_with(':') && is_host_and_port(host)) continue;
+    throw Error({.code = "wrong-type",
+                 .message = "this is no host",
+                 .expected = "a name or an address, without a scheme and a port",
+                 .received = host});
+  }
+  config.net.hosts = hosts;
+}
+
+void set_trusted_proxies(Config& config, const std::vector<std::string>& proxies) {
+  static_cast<void>(TrustedProxies(proxies));  // refuses what is none
+  config.net.trusted_proxies = proxies;
+}
+
 std::vector<ConfigKey> server_keys() {
   return {
       {"server", "listen",
@@ -54,12 +73,26 @@ std::vector<ConfigKey> server_keys() {
       {"server", "connections",
        integer(
            1, kMillion, [](Config & c) -> auto& { return c.net.connections; })},
+      {"server", "connections_per_address",
+       integer(
+           0, kMillion, [](Config & c) -> auto& { return c.net.connections_per_address; })},
       {"server", "sessions",
        integer(
            1, kMillion, [](Config & c) -> auto& { return c.net.sessions; })},
       {"server", "queued_sessions",
        integer(
            0, kMillion, [](Config & c) -> auto& { return c.net.queued_sessions; })},
+      {"server", "sessions_per_address",
+       integer(
+           0, kMillion, [](Config & c) -> auto& { return c.net.sessions_per_address; })},
+      {"server", "limit_loopback",
+       plain<BooleanKey>([](Config & c) -> auto& { return c.net.limit_loopback; })},
+      {"server", "idle_seat_ms",
+       milliseconds(
+           0, 100 * kMillion, [](Config & c) -> auto& { return c.net.idle_seat; })},
+      {"server", "share_wait_ms",
+       milliseconds(
+           0, 100 * kMillion, [](Config & c) -> auto& { return c.net.share_wait; })},
       {"server", "message_bytes",
        integer(
            1024, 64 * kMillion, [](Config & c) -> auto& { return c.net.message_bytes; })},
@@ -87,6 +120,8 @@ std::vector<ConfigKey> server_keys() {
            0, kMillion, [](Config & c) -> auto& { return c.net.stop_timeout; })},
       {"server", "allowed_origins",
        plain<TextListKey>([](Config & c) -> auto& { return c.net.allowed_origins; })},
+      {"server", "hosts", TextListKey{set_hosts}},
+      {"server", "trusted_proxies", TextListKey{set_trusted_proxies}},
       {"server", "web_root", plain<PathKey>([](Config & c) -> auto& { return c.net.web_root; })},
       {"server", "notice", plain<TextKey>([](Config & c) -> auto& { return c.notice; })},
   };

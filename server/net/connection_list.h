@@ -1,50 +1,94 @@
-// The connections that are open, to count them and to end them.
+// The connections that are open: to count them, to end them, and to choose who gives way when all
+// are taken.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <list>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <string>
+
+#include "net/client_address.h"
 
 namespace cutaway {
 
-/// Thread-safe. Holds connections weakly; an entry lives as long as its handle.
-template <typename Connection>
+/// What the list can do to a connection; from any thread.
+class OpenConnection {
+ public:
+  virtual ~OpenConnection() = default;
+  /// Ends it: a session with a closing handshake, all else at once.
+  virtual void close() = 0;
+  /// Ends it at once.
+  virtual void abort() = 0;
+};
+
+/// Thread-safe; outlives its places. Holds connections weakly.
 class ConnectionList {
  public:
-  using Entries = std::list<std::weak_ptr<Connection>>;
+  /// In the order in which they give way.
+  enum class Use { awaits_request, answers, session };
 
-  typename Entries::iterator add(const std::shared_ptr<Connection>& connection) {
-    const std::lock_guard lock(mutex_);
-    return entries_.insert(entries_.end(), connection);
-  }
+  /// A connection's place in the list; destroying it leaves.
+  class Place;
 
-  void remove(typename Entries::iterator entry) {
-    const std::lock_guard lock(mutex_);
-    entries_.erase(entry);
-  }
+  /// `per_address` 0: as many as there are.
+  ConnectionList(int most, int per_address) : most_(most), per_address_(per_address) {}
 
-  std::size_t size() const {
-    const std::lock_guard lock(mutex_);
-    return entries_.size();
-  }
+  /// When all are taken, one that waits for (the rest of) a request gives way: the one that has
+  /// waited longest, of the address that has the most. Where none waits, and the newcomer's address
+  /// has less than its share, another one gives way of an address that has more. Null where nobody
+  /// does, or the address has all that it may have.
+  std::unique_ptr<Place> add(std::weak_ptr<OpenConnection> connection,
+                             const ClientAddress& address);
 
-  void for_each(const std::function<void(const std::shared_ptr<Connection>&)>& visit) const {
-    for (const auto& connection : open_ones()) visit(connection);
-  }
+  std::size_t size() const;
+  void for_each(const std::function<void(OpenConnection&)>& visit) const;
 
  private:
-  std::list<std::shared_ptr<Connection>> open_ones() const {
-    const std::lock_guard lock(mutex_);
-    std::list<std::shared_ptr<Connection>> connections;
-    for (const auto& entry : entries_) {
-      if (auto connection = entry.lock()) connections.push_back(std::move(connection));
-    }
-    return connections;
-  }
+  struct Entry {
+    std::weak_ptr<OpenConnection> connection;
+    std::string group;
+    Use use = Use::awaits_request;
+    std::uint64_t since = 0;  ///< of this use; counts up
+    bool leaves = false;      ///< was told to
+  };
+  using Entries = std::list<Entry>;
+
+  void remove(Entries::iterator entry);
+  bool regroup(Entries::iterator entry, const ClientAddress& address);
+  void set_use(Entries::iterator entry, Use use);
+  bool may_have_one_more(const ClientAddress& address) const;
+  Entry* who_gives_way(const std::string& newcomer);
+  int count_of(const std::string& group) const;
+  void forget(const Entry& entry);
 
   mutable std::mutex mutex_;
+  int most_;
+  int per_address_;
   Entries entries_;
+  std::map<std::string, int> counts_;  ///< by group, without those who leave
+  int staying_ = 0;
+  std::uint64_t clock_ = 0;
+};
+
+class ConnectionList::Place {
+ public:
+  Place(ConnectionList& list, Entries::iterator entry) : list_(list), entry_(entry) {}
+  ~Place() { list_.remove(entry_); }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+
+  /// It turns out to be another client's, behind a proxy. False where that one has all it may have.
+  [[nodiscard]] bool belongs_to(const ClientAddress& address) {
+    return list_.regroup(entry_, address);
+  }
+  void is_used_as(Use use) { list_.set_use(entry_, use); }
+
+ private:
+  ConnectionList& list_;
+  Entries::iterator entry_;
 };
 
 }  // namespace cutaway

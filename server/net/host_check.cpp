@@ -4,6 +4,7 @@
 #include <array>
 #include <boost/asio/ip/address.hpp>
 #include <boost/beast/core/string.hpp>
+#include <string>
 
 namespace cutaway {
 
@@ -26,19 +27,39 @@ bool same(std::string_view a, std::string_view b) {
   return boost::beast::iequals({a.data(), a.size()}, {b.data(), b.size()});
 }
 
-bool is_loopback(const std::string& address) {
+bool is_ip_literal(std::string_view host) {
+  const bool in_brackets = host.starts_with('[') && host.ends_with(']') && host.size() > 2;
+  const std::string address(in_brackets ? host.substr(1, host.size() - 2) : host);
   boost::system::error_code error;
-  return boost::asio::ip::make_address(address, error).is_loopback() && !error;
+  const auto read = boost::asio::ip::make_address(address, error);
+  return !error && read.is_v6() == in_brackets;
 }
 
 }  // namespace
 
+bool is_loopback_address(const std::string& address) {
+  boost::system::error_code error;
+  return boost::asio::ip::make_address(address, error).is_loopback() && !error;
+}
+
 bool host_allowed(std::string_view host, const NetSettings& settings) {
-  if (!is_loopback(settings.address)) return true;
   const std::string_view name = without_port(host);
   const auto is_name = [name](std::string_view each) { return same(name, each); };
-  return std::ranges::any_of(kThisMachine, is_name) || is_name(settings.address) ||
-         std::ranges::any_of(settings.allowed_origins, is_name, host_of_origin);
+  if (std::ranges::any_of(kThisMachine, is_name) || is_name(settings.address) ||
+      std::ranges::any_of(settings.hosts, is_name) ||
+      std::ranges::any_of(settings.allowed_origins, is_name, host_of_origin)) {
+    return true;
+  }
+  return !is_loopback_address(settings.address) && is_ip_literal(name);
+}
+
+std::string allowed_hosts_in_words(const NetSettings& settings) {
+  return is_loopback_address(settings.address)
+             ? "This server listens on a loopback address and answers only to localhost, "
+               "127.0.0.1, [::1] and the hosts of the configuration's hosts and allowed_origins."
+             : "This server answers only to IP addresses and the hosts of the configuration's "
+               "hosts "
+               "and allowed_origins.";
 }
 
 }  // namespace cutaway

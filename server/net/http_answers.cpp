@@ -1,6 +1,7 @@
 #include "net/http_answers.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 #include <utility>
@@ -29,6 +30,10 @@ HttpResponse text_response(http::status status, std::string text, std::string_vi
 
 HttpResponse plain(http::status status, std::string text) {
   return text_response(status, std::move(text) + "\n", "text/plain; charset=utf-8");
+}
+
+HttpResponse json(http::status status, const Json& content) {
+  return text_response(status, content.dump(), "application/json");
 }
 
 HttpResponse not_found(bool has_client) {
@@ -106,20 +111,46 @@ HttpResponse HttpAnswers::refusal(http::status status, std::string_view reason) 
   return response;
 }
 
+/// What is answered at a path of its own; all else are files, whose requests have no body either.
+struct HttpAnswers::Route {
+  std::string_view path;
+  std::uint64_t largest_body;
+  HttpResponse (HttpAnswers::*answer)() const;
+};
+
+const HttpAnswers::Route* HttpAnswers::find_route(std::string_view path) {
+  static constexpr std::array<Route, 3> kRoutes = {{
+      {"/healthz", 0, &HttpAnswers::liveness},
+      {"/readyz", 0, &HttpAnswers::readiness},
+      {"/api/volumes", 0, &HttpAnswers::listing},
+  }};
+  const auto found = std::ranges::find(kRoutes, path, &Route::path);
+  return found == kRoutes.end() ? nullptr : &*found;
+}
+
+std::uint64_t HttpAnswers::largest_body(const HttpRequest& request) const {
+  const auto path = clean_path(view_of(request.target()));
+  const Route* route = path ? find_route(*path) : nullptr;
+  return route == nullptr ? 0 : route->largest_body;
+}
+
 HttpResponse HttpAnswers::answer_get(const HttpRequest& request, std::string_view path) const {
-  if (path == "/healthz") return plain(http::status::ok, "alive");
-  if (path == "/readyz") return readiness();
-  if (path == "/api/volumes") {
-    return text_response(http::status::ok, sources_.volumes().dump(), "application/json");
-  }
+  if (const Route* route = find_route(path)) return (this->*route->answer)();
   const StaticFile* file = files_.find(path);
   return file != nullptr ? file_response(request, *file) : not_found(!files_.empty());
 }
 
+HttpResponse HttpAnswers::liveness() const { return plain(http::status::ok, "alive"); }
+
+HttpResponse HttpAnswers::listing() const { return json(http::status::ok, sources_.volumes()); }
+
+// A full server is ready all the same: who asks for it here would take it away from those within.
 HttpResponse HttpAnswers::readiness() const {
   const std::string trouble = sources_.trouble();
-  if (trouble.empty()) return plain(http::status::ok, "ready");
-  return plain(http::status::service_unavailable, trouble);
+  if (trouble.empty()) {
+    return json(http::status::ok, {{"ready", true}, {"full", sources_.full()}});
+  }
+  return json(http::status::service_unavailable, {{"ready", false}, {"reason", trouble}});
 }
 
 HttpResponse HttpAnswers::file_response(const HttpRequest& request, const StaticFile& file) const {

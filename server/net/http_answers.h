@@ -6,12 +6,12 @@
 #include <functional>
 #include <string>
 
+#include "net/request_head.h"
 #include "net/static_files.h"
 #include "scene/json.h"
 
 namespace cutaway {
 
-using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>;
 using HttpResponse = boost::beast::http::response<boost::beast::http::string_body>;
 
 /// Thread-safe as far as its functions are.
@@ -21,17 +21,24 @@ class HttpAnswers {
     std::function<Json()> volumes;  ///< the content of the `volumes` message
     std::function<std::string()>
         trouble;  ///< why no frame can be rendered; empty while all is well
+    std::function<bool()> full = [] { return false; };  ///< whether all sessions are taken
   };
 
   HttpAnswers(StaticFiles files, Sources sources);
 
   /// The whole response, its body left out for HEAD.
   HttpResponse answer(const HttpRequest& request) const;
-  /// For a request that could not be read.
+  /// The largest body that this request may have, bytes.
+  std::uint64_t largest_body(const HttpRequest& request) const;
+  /// For a request that is not heeded; the connection ends with it.
   static HttpResponse refusal(boost::beast::http::status status, std::string_view reason);
 
  private:
+  struct Route;
+  static const Route* find_route(std::string_view path);
   HttpResponse answer_get(const HttpRequest& request, std::string_view path) const;
+  HttpResponse liveness() const;
+  HttpResponse listing() const;
   HttpResponse file_response(const HttpRequest& request, const StaticFile& file) const;
   HttpResponse readiness() const;
 

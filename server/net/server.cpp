@@ -13,6 +13,7 @@
 
 #include "core/log.h"
 #include "core/threads.h"
+#include "net/host_check.h"
 #include "net/http_connection.h"
 
 namespace cutaway {
@@ -24,6 +25,7 @@ using boost::system::error_code;
 namespace {
 
 constexpr std::chrono::milliseconds kPauseAfterFailedAccept{100};
+constexpr std::chrono::seconds kBetweenOrders{1};
 
 Error cannot_listen(const NetSettings& settings, const std::string& why) {
   return Error({.code = "internal",
@@ -38,6 +40,19 @@ void log_failure(const std::exception_ptr& failure) {
   } catch (const std::exception& error) {
     log().error("a connection failed: {}", error.what());
   }
+}
+
+Admission::Limits admission_limits(const NetSettings& settings) {
+  return {.seats = settings.sessions,
+          .queue = settings.queued_sessions,
+          .per_address = settings.sessions_per_address,
+          .idle_seat = settings.idle_seat,
+          .share_wait = settings.share_wait};
+}
+
+void warn_of_names(const NetSettings& settings) {
+  if (is_loopback_address(settings.address) || !settings.hosts.empty()) return;
+  log().warn("only requests to an IP address are answered: server.hosts names no host");
 }
 
 tcp::endpoint endpoint_of(const NetSettings& settings) {
@@ -62,6 +77,8 @@ class Server::Impl {
   void watch_signals();
   asio::awaitable<void> accept_all();
   void work() noexcept;
+  asio::awaitable<void> keep_order();
+  HttpAnswers::Sources with_fullness(HttpAnswers::Sources sources);
   void begin_connection(tcp::socket&& socket, const AsioStrand::Executor& strand);
   void end_all();
   void all_ended();
@@ -69,23 +86,32 @@ class Server::Impl {
   asio::io_context io_;
   AsioStrand::Executor strand_{asio::make_strand(io_)};  // of the acceptor and of stopping
   ConnectionContext context_;
-  ConnectionList<HttpConnection> connections_;
   tcp::acceptor acceptor_{strand_};
   asio::signal_set signals_{strand_};
   asio::steady_timer accept_pause_{strand_};
+  asio::steady_timer order_timer_{strand_};
   asio::steady_timer stop_deadline_{strand_};
   bool stopping_ = false;
 };
 
 Server::Impl::Impl(const NetSettings& settings, Hooks hooks)
     : context_{.settings = settings,
+               .admission = Admission(admission_limits(settings)),
                .answers = HttpAnswers(
                    settings.web_root.empty() ? StaticFiles() : StaticFiles(settings.web_root),
-                   std::move(hooks.sources)),
+                   with_fullness(std::move(hooks.sources))),
                .make_session = std::move(hooks.make_session)} {
   listen();
+  warn_of_names(settings);
   asio::co_spawn(
       strand_, [this] { return accept_all(); }, asio::detached);
+  asio::co_spawn(
+      strand_, [this] { return keep_order(); }, asio::detached);
+}
+
+HttpAnswers::Sources Server::Impl::with_fullness(HttpAnswers::Sources sources) {
+  sources.full = [this] { return context_.admission.is_full(); };
+  return sources;
 }
 
 void Server::Impl::listen() {
@@ -157,18 +183,24 @@ asio::awaitable<void> Server::Impl::accept_all() {
   }
 }
 
-void Server::Impl::begin_connection(tcp::socket&& socket, const AsioStrand::Executor& strand) try {
-  if (connections_.size() >= static_cast<std::size_t>(context_.settings.connections)) {
-    log().warn("a connection was dropped: all {} are taken", context_.settings.connections);
-    return;
+// What time alone brings about.
+asio::awaitable<void> Server::Impl::keep_order() {
+  while (!stopping_) {
+    order_timer_.expires_after(kBetweenOrders);
+    error_code error;
+    co_await order_timer_.async_wait(asio::redirect_error(asio::use_awaitable, error));
+    context_.admission.make_room(std::chrono::steady_clock::now());
+    context_.drops.flush();
   }
+}
+
+void Server::Impl::begin_connection(tcp::socket&& socket, const AsioStrand::Executor& strand) try {
   auto connection = std::make_shared<HttpConnection>(std::move(socket), strand, context_);
-  const auto entry = connections_.add(connection);
+  if (!connection->enter()) return;
   asio::co_spawn(
       strand, [connection] { return connection->run(); },
-      [this, entry](const std::exception_ptr& failure) {
+      [this](const std::exception_ptr& failure) {
         if (failure) log_failure(failure);
-        connections_.remove(entry);
         asio::post(strand_, [this] { all_ended(); });
       });
 } catch (const std::exception& failure) {
@@ -187,17 +219,18 @@ void Server::Impl::end_all() {
   acceptor_.close(ignored);
   signals_.clear(ignored);  // the next does what signals do by themselves
   accept_pause_.cancel();
-  connections_.for_each([](const auto& connection) { connection->close(); });
+  order_timer_.cancel();
+  context_.connections.for_each([](OpenConnection& connection) { connection.close(); });
   stop_deadline_.expires_after(context_.settings.stop_timeout);
   stop_deadline_.async_wait([this](const error_code& error) {
     if (error) return;
-    connections_.for_each([](const auto& connection) { connection->abort(); });
+    context_.connections.for_each([](OpenConnection& connection) { connection.abort(); });
   });
   all_ended();
 }
 
 void Server::Impl::all_ended() {
-  if (stopping_ && connections_.size() == 0) stop_deadline_.cancel();
+  if (stopping_ && context_.connections.size() == 0) stop_deadline_.cancel();
 }
 
 Server::Server(const NetSettings& settings, Hooks hooks)

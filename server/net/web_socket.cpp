@@ -36,6 +36,34 @@ asio::const_buffer buffer_of(const OutQueue::Message& message) {
                     message.content);
 }
 
+/// Of those that RFC 6455 (7.4.2) leaves to applications: the session went to another who waited.
+constexpr std::uint16_t kGaveWay = 4000;
+/// From here on close codes mean nothing (7.4.2); Beast, which knows the others that do not, takes
+/// these.
+constexpr std::uint16_t kFirstNoCode = 5000;
+
+std::string server_full(const NetSettings& settings) {
+  return fmt::format("all {} sessions are taken and {} clients wait for one; try again later",
+                     settings.sessions, settings.queued_sessions);
+}
+
+std::string address_full(const NetSettings& settings) {
+  return fmt::format("your address has {} sessions, which are all that it may have",
+                     settings.sessions_per_address);
+}
+
+std::string words_for(Admission::Why why, const NetSettings& settings) {
+  switch (why) {
+    case Admission::Why::idle:
+      return "the session was not used while others waited, and went to one of them";
+    case Admission::Why::over_share:
+      return "others waited and your address had more than its share; the session went to them";
+    case Admission::Why::queue_full:
+      return server_full(settings);
+  }
+  return {};
+}
+
 bool is_ordinary_end(const error_code& error) {
   return error == websocket::error::closed || error == asio::error::operation_aborted ||
          error == asio::error::eof || error == asio::error::connection_reset;
@@ -44,7 +72,7 @@ bool is_ordinary_end(const error_code& error) {
 }  // namespace
 
 WebSocket::WebSocket(beast::tcp_stream&& stream, const AsioStrand::Executor& strand,
-                     const NetSettings& settings, SessionFactory make_session)
+                     const NetSettings& settings, SessionFactory make_session, Peer peer)
     : stream_(std::move(stream)),
       executor_(strand),
       settings_(settings),
@@ -52,7 +80,9 @@ WebSocket::WebSocket(beast::tcp_stream&& stream, const AsioStrand::Executor& str
       queue_(settings.queued_text_bytes),
       something_to_write_(strand, asio::steady_timer::time_point::max()),
       write_deadline_(strand),
-      breather_(strand) {}
+      breather_(strand),
+      peer_(std::move(peer)),
+      name_(fmt::format("session {} of {}", peer_.number, peer_.address.text)) {}
 
 asio::awaitable<bool> WebSocket::accept(HttpRequest request) {
   beast::get_lowest_layer(stream_).expires_never();
@@ -65,38 +95,60 @@ asio::awaitable<bool> WebSocket::accept(HttpRequest request) {
   }));
   stream_.read_message_max(std::max(settings_.message_bytes, settings_.dropped_message_bytes));
   stream_.write_buffer_bytes(kLargestPiece);
+  stream_.control_callback(
+      [this](websocket::frame_type kind, beast::string_view) { control_frame(kind); });
   error_code error;
   co_await stream_.async_accept(request, asio::redirect_error(asio::use_awaitable, error));
   co_return !error;
 }
 
-asio::awaitable<void> WebSocket::serve(HttpRequest request, Admission& admission) {
+asio::awaitable<void> WebSocket::serve(HttpRequest request, Admission& admission, DropLog& drops) {
   const auto self = shared_from_this();
   const bool accepted = co_await accept(std::move(request));
   if (!accepted) co_return;
-  const std::unique_ptr<Admission::Ticket> ticket = queue_up(admission);
-  if (ticket) {
-    co_await serve_admitted();
-  } else {
-    co_await turn_away();
-  }
+  const std::optional<Admission::Refusal> refusal = queue_up(admission);
+  if (refusal) turn_away(*refusal, drops);
+  co_await serve_accepted();
 }
 
-std::unique_ptr<Admission::Ticket> WebSocket::queue_up(Admission& admission) {
-  return admission.enter([weak = weak_from_this(), executor = executor_](int place) {
-    asio::post(executor, [weak, place] {
-      if (const auto self = weak.lock()) self->moved_to(place);
-    });
-  });
+std::optional<Admission::Refusal> WebSocket::queue_up(Admission& admission) {
+  auto entered = admission.enter(peer_.address, guest(), std::chrono::steady_clock::now());
+  if (const auto* refusal = std::get_if<Admission::Refusal>(&entered)) return *refusal;
+  ticket_ = std::move(std::get<std::unique_ptr<Admission::Ticket>>(entered));
+  return std::nullopt;
+}
+
+Admission::Guest WebSocket::guest() {
+  const auto on_strand = [weak = weak_from_this(), executor = executor_](auto member) {
+    return [weak, executor, member](auto what) {
+      asio::post(executor, [weak, member, what] {
+        if (const auto self = weak.lock()) (self.get()->*member)(what);
+      });
+    };
+  };
+  return {.moved = on_strand(&WebSocket::moved_to), .gives_way = on_strand(&WebSocket::give_way)};
 }
 
 void WebSocket::moved_to(int place) {
-  if (closing_ || ended_) return;
+  if (!takes_words()) return;
   if (place == 0) return start_session();
   send_latest_text(json_text(queued_message(place)));
 }
 
-asio::awaitable<void> WebSocket::serve_admitted() {
+// The seat is another's already: what the session holds is let go at once, however long the goodbye
+// takes.
+void WebSocket::give_way(Admission::Why why) {
+  if (!takes_words()) return;
+  const std::string words = words_for(why, settings_);
+  log().info("{} gives way: {}", name_, words);
+  const bool was_queued = why == Admission::Why::queue_full;
+  const std::uint16_t code =
+      was_queued ? std::uint16_t{websocket::close_code::try_again_later} : kGaveWay;
+  end_with(Error({.code = was_queued ? "server-full" : "gave-way", .message = words}),
+           {static_cast<websocket::close_code>(code), words});
+}
+
+asio::awaitable<void> WebSocket::serve_accepted() {
   const auto self = shared_from_this();
   asio::co_spawn(
       executor_, [self] { return self->write_all(); },
@@ -106,7 +158,7 @@ asio::awaitable<void> WebSocket::serve_admitted() {
   try {
     co_await read_all();
   } catch (const std::exception& failure) {
-    log().error("reading from a client failed: {}", failure.what());
+    log().error("{}: reading failed: {}", name_, failure.what());
   }
   end();
 }
@@ -126,18 +178,18 @@ void WebSocket::start_session() {
   }
 }
 
-asio::awaitable<void> WebSocket::turn_away() {
-  const std::string reason =
-      fmt::format("all {} sessions are taken and {} clients wait for one; try again later",
-                  settings_.sessions, settings_.queued_sessions);
-  log().warn("a client was turned away: {}", reason);
-  const OutQueue::Message message{
-      json_text(error_message(Error({.code = "server-full", .message = reason}))), nullptr};
-  const bool written = co_await write(message);
-  if (!written) co_return;
-  const websocket::close_reason why(websocket::close_code::try_again_later, reason);
-  error_code error;
-  co_await stream_.async_close(why, asio::redirect_error(asio::use_awaitable, error));
+void WebSocket::turn_away(Admission::Refusal refusal, DropLog& drops) {
+  const bool is_full = refusal == Admission::Refusal::full;
+  const std::string reason = is_full ? server_full(settings_) : address_full(settings_);
+  drops.note("clients were turned away, " + reason, peer_.address.text);
+  end_with(Error({.code = "server-full", .message = reason}),
+           {websocket::close_code::try_again_later, reason});
+}
+
+// A closing handshake that has begun here is not answered with the code that came.
+void WebSocket::control_frame(websocket::frame_type kind) {
+  if (kind != websocket::frame_type::close || stream_.reason().code < kFirstNoCode) return;
+  begin_close({websocket::close_code::protocol_error, "there is no such close code"});
 }
 
 asio::awaitable<void> WebSocket::read_all() {
@@ -160,7 +212,7 @@ asio::awaitable<bool> WebSocket::read_message() {
         incoming_, kReadBytes, asio::redirect_error(asio::use_awaitable, error));
     incoming_bytes_ += bytes;
     if (error) {
-      if (!is_ordinary_end(error)) log().info("a connection ended: {}", error.message());
+      if (!is_ordinary_end(error)) log().info("{} ended: {}", name_, error.message());
       co_return false;
     }
     if (incoming_bytes_ > settings_.message_bytes) incoming_.clear();
@@ -172,7 +224,9 @@ Session::Reception WebSocket::deliver() {
   // It waits for a seat, or has failed and the closing handshake goes on.
   if (!session_) return Session::Reception::taken;
   try {
-    return hand_to_session();
+    const Session::Reception reception = hand_to_session();
+    if (ticket_) ticket_->heard(session_->page_visible(), std::chrono::steady_clock::now());
+    return reception;
   } catch (const std::exception& failure) {
     fail(failure.what());
     return Session::Reception::taken;
@@ -200,6 +254,7 @@ asio::awaitable<void> WebSocket::write_all() {
   bool writable = true;
   while (writable && !ended_) {
     const std::optional<OutQueue::Message> message = queue_.take();
+    if (!message && last_words_) begin_close(*std::exchange(last_words_, std::nullopt));
     if (!message) {
       co_await wait_for_messages();
       continue;
@@ -234,7 +289,7 @@ void WebSocket::start_write_deadline(std::size_t still_bytes) {
   write_deadline_.async_wait(
       [self = shared_from_this(), setting = ++deadline_](const error_code& error) {
         if (error || setting != self->deadline_) return;
-        log().info("a client did not take a message in time; its connection is dropped");
+        log().info("{} did not take a message in time and is dropped", self->name_);
         self->abort();
       });
 }
@@ -245,11 +300,11 @@ void WebSocket::stop_write_deadline() {
 }
 
 void WebSocket::send_text(std::string message) {
-  if (!closing_ && !ended_) was_put(queue_.put_text(std::move(message)));
+  if (takes_words()) was_put(queue_.put_text(std::move(message)));
 }
 
 void WebSocket::send_latest_text(std::string message) {
-  if (!closing_ && !ended_) was_put(queue_.put_latest_text(std::move(message)));
+  if (takes_words()) was_put(queue_.put_latest_text(std::move(message)));
 }
 
 void WebSocket::was_put(bool put) {
@@ -257,19 +312,19 @@ void WebSocket::was_put(bool put) {
     something_to_write_.cancel();
     return;
   }
-  log().info("a client leaves too much unread; its connection is closed");
+  log().info("{} leaves too much unread and is closed", name_);
   begin_close({websocket::close_code::policy_error, "too many messages wait to be read"});
 }
 
 void WebSocket::send_frame(ViewKind view, std::vector<std::uint8_t> message,
                            std::function<void(bool)> done) {
-  if (closing_ || ended_) return done(false);
+  if (!takes_words()) return done(false);
   queue_.put_frame(static_cast<int>(view), std::move(message), std::move(done));
   something_to_write_.cancel();
 }
 
 void WebSocket::send_still(std::vector<std::uint8_t> message, std::function<void(bool)> done) {
-  if (closing_ || ended_) return done(false);
+  if (!takes_words()) return done(false);
   queue_.put_still(std::move(message), std::move(done));
   something_to_write_.cancel();
 }
@@ -282,9 +337,17 @@ void WebSocket::begin_close(const websocket::close_reason& reason) {
   stream_.async_close(reason, [self = shared_from_this()](const error_code&) {});
 }
 
+// As begin_close, once the client has been told why in words of the protocol.
+void WebSocket::end_with(const Error& words, const websocket::close_reason& reason) {
+  session_.reset();
+  queue_.abandon();
+  send_text(json_text(error_message(words)));
+  last_words_ = reason;
+}
+
 // The session may be in any state now: it goes, and the client hears why in the closing handshake.
 void WebSocket::fail(const char* what) {
-  log().error("a session failed and is closed: {}", what);
+  log().error("{} failed and is closed: {}", name_, what);
   session_.reset();
   begin_close({websocket::close_code::internal_error, "the server failed at this session"});
 }
@@ -300,6 +363,7 @@ void WebSocket::end() {
   queue_.abandon();
   something_to_write_.cancel();
   session_.reset();
+  ticket_.reset();
 }
 
 }  // namespace cutaway

@@ -71,6 +71,8 @@ const std::map<std::string, Reading, std::less<>>& readings() {
                                patch_of(m),   width_of(m),         height_of(m)};
        }},
       {"close_view", [](const Json& m) -> ClientMessage { return CloseViewMessage{view_of(m)}; }},
+      {"presence",
+       [](const Json& m) -> ClientMessage { return PresenceMessage{m.at("visible").get<bool>()}; }},
   };
   return all;
 }

@@ -76,9 +76,13 @@ struct CloseViewMessage {
   ViewKind view = ViewKind::axial;
 };
 
+struct PresenceMessage {
+  bool visible = false;  ///< whether the page can be seen
+};
+
 using ClientMessage =
     std::variant<SceneMessage, ViewportMessage, DragLensMessage, PickMessage, CancelLoadMessage,
-                 AckMessage, SaveStillMessage, PreviewMessage, CloseViewMessage>;
+                 AckMessage, SaveStillMessage, PreviewMessage, CloseViewMessage, PresenceMessage>;
 
 /// The largest side (px) that the schema allows; a server may be set to take less.
 inline constexpr int kLargestSide_px = 8192;

@@ -49,6 +49,8 @@ class Session {
   Reception receive_binary();
   /// A message of `bytes`, which is more than the `most` that are read.
   Reception receive_too_large(std::size_t bytes, std::size_t most);
+  /// Whether the client says that its page is seen; false for one that never said.
+  bool page_visible() const { return page_visible_; }
 
  private:
   /// A volume that is on its way, with the scene that is to be shown with it.
@@ -69,6 +71,7 @@ class Session {
   void handle(const SaveStillMessage& message);
   void handle(const PreviewMessage& message);
   void handle(const CloseViewMessage& message);
+  void handle(const PresenceMessage& message);
 
   void open_volume(const std::string& id, Json document, InputStamp stamp);
   void change_shown(const SceneMessage& message);
@@ -110,6 +113,7 @@ class Session {
   std::optional<TimePoint> scene_told_at_;
   std::shared_ptr<const OpenVolume> told_volume_;
   std::unique_ptr<Alarm> scene_alarm_;
+  bool page_visible_ = false;
   Tether tether_;
   std::unique_ptr<OpenTicket> listing_watch_;
 };

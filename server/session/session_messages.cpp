@@ -128,6 +128,8 @@ void Session::handle(const PreviewMessage& message) {
   (message.volume ? volume_previews_ : previews_).want(message);
 }
 
+void Session::handle(const PresenceMessage& message) { page_visible_ = message.visible; }
+
 const Scene& Session::shown_scene(ViewKind view) const {
   if (!state_.scene(view)) throw no_volume();
   return *state_.scene(view);

@@ -31,8 +31,8 @@ class WebSocket:
     TEXT, BINARY, CLOSE, PING, PONG = 1, 2, 8, 9, 10
     GUID = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11"
 
-    def __init__(self, port, subprotocol="cutaway.v1", path="/ws"):
-        self.socket = socket.create_connection(("127.0.0.1", port), timeout=GENEROUS_S)
+    def __init__(self, port, subprotocol="cutaway.v1", path="/ws", source="127.0.0.1"):
+        self.socket = socket.create_connection(("127.0.0.1", port), timeout=GENEROUS_S, source_address=(source, 0))
         self.buffer = b""
         key = base64.b64encode(os.urandom(16)).decode()
         self.socket.sendall(
@@ -194,8 +194,9 @@ def png_size(data):
 class Client:
     """A session: sends inputs, acknowledges frames, keeps what came."""
 
-    def __init__(self, port):
-        self.socket = WebSocket(port)
+    def __init__(self, port, source="127.0.0.1"):
+        """source: an address of this machine, such as 127.0.0.2."""
+        self.socket = WebSocket(port, source=source)
         assert self.socket.status == 101, self.socket.status
         self.texts = []
         self.frames = []
@@ -314,6 +315,11 @@ class Server:
             return response.status, response.headers, response.read()
         finally:
             connection.close()
+
+    def resident_bytes(self):
+        """Memory that the server holds now."""
+        with open(f"/proc/{self.process.pid}/statm", encoding="ascii") as numbers:
+            return int(numbers.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
     def output(self):
         self.log.seek(0)

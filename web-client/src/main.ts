@@ -7,6 +7,7 @@ import { listenToKeys } from './interaction/keyboard.ts';
 import { keepFocus } from './interaction/kept_focus.ts';
 import { observeHeldPointer } from './interaction/held_pointer.ts';
 import { keepSceneInAddress } from './session/address_bar.ts';
+import { pageSight } from './session/presence.ts';
 import { openViewerSession } from './session/viewer_session.ts';
 import { webSocketUrl } from './stream/stream.ts';
 import { keepLook } from './session/kept_look.ts';
@@ -32,7 +33,8 @@ const canvases = VIEW_NAMES.map(() => document.createElement('canvas'));
 const openStorage = () => localStorage;
 const watchStorage: WatchStorage = (changed) =>
   window.addEventListener('storage', ({ key }) => changed(key));
-const page = { saveFile, openStorage, watchStorage };
+const sight = pageSight(document, window);
+const page = { saveFile, openStorage, watchStorage, sight };
 const session = openViewerSession(canvases, webSocketUrl(location), page);
 const defaults = { ...DEFAULT_PREFERENCES, panel_open: !isPhone() };
 const fault = keepPreferences(session, new PreferenceStore(openStorage), defaults);

@@ -46,6 +46,11 @@ export class Harness {
   readonly kept = new Map<string, string>();
   /** Another page has changed what the browser keeps under a key. */
   storageChanged: (key: string) => void = () => undefined;
+  page_visible = true;
+  /** The page came into sight or went out of it; a pointer or a key moved. */
+  seen: () => void = () => undefined;
+  used: () => void = () => undefined;
+  connections_wanted = 0;
   private listener: (event: FromWorker) => void = () => undefined;
   readonly session: ViewerSession;
 
@@ -58,11 +63,18 @@ export class Harness {
     this.session = new ViewerSession({
       openStream: (listener) => {
         this.listener = listener;
-        return { send: (message) => this.sent.push(message), connectNow: () => undefined };
+        return {
+          send: (message) => this.sent.push(message),
+          connectNow: () => void this.connections_wanted++,
+        };
       },
       address: () => this.address,
       saveFile: (name, content) => this.saved.push([name, content]),
       watchStorage: (changed) => (this.storageChanged = changed),
+      sight: {
+        visible: () => this.page_visible,
+        watch: (seen, used) => Object.assign(this, { seen, used }),
+      },
       openStorage: () => ({
         getItem: (key) => this.kept.get(key) ?? null,
         setItem: (key, text) => void this.kept.set(key, text),

@@ -81,6 +81,16 @@ describe('the connection', () => {
     expect(phases()).toEqual(['connecting', 'connected', 'connecting', 'connected']);
   });
 
+  it('is not made anew by itself after it gave way, only on demand', () => {
+    newest().onopen?.();
+    newest().onclose?.({ code: 4000, reason: 'others waited' });
+    vi.advanceTimersByTime(600_000);
+    expect(Socket.made).toHaveLength(1);
+    expect(phases()).toEqual(['connecting', 'connected', 'gave_way']);
+    link.connectNow();
+    expect(Socket.made).toHaveLength(2);
+  });
+
   it('is not asked for as often by what the server refused', () => {
     for (let attempt = 0; attempt < 8; attempt++) {
       newest().onclose?.({ code: 1009, reason: '' });

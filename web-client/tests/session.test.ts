@@ -205,7 +205,10 @@ describe('a lost connection', () => {
     expect(harness.sent).toEqual([]);
     harness.say(capabilities);
     expect(harness.state.link).toEqual({ phase: 'connected' });
-    expect(harness.sent).toMatchObject([{ type: 'viewport', width_px: 800, height_px: 600 }]);
+    expect(harness.sent).toMatchObject([
+      { type: 'presence', visible: true },
+      { type: 'viewport', width_px: 800, height_px: 600 },
+    ]);
     harness.say(volumes);
     await vi.waitFor(() => expect(harness.scenes()).toHaveLength(1));
     expect(harness.scenes()[0]).toMatchObject({ replace: true, scene });

@@ -83,7 +83,7 @@ describe('a full server', { skip: skip || (isStandIn && 'the stand-in is never f
   before(async () => {
     folder = await mkdtemp(join(tmpdir(), 'cutaway-full-'));
     const config = join(folder, 'cutaway.toml');
-    await writeFile(config, '[server]\nsessions = 1\nqueued_sessions = 1\n');
+    await writeFile(config, '[server]\nsessions = 1\nqueued_sessions = 1\nidle_seat_ms = 500\n');
     server = await Server.start({ config });
     browser = await openBrowser();
   });
@@ -111,4 +111,35 @@ describe('a full server', { skip: skip || (isStandIn && 'the stand-in is never f
     await outside.settled();
     await outside.close();
   });
+
+  for (const [locale, words] of [
+    ['en-GB', 'It goes on as soon as you are back.'],
+    ['de-DE', 'Sie macht weiter, sobald Sie zurück sind.'],
+  ]) {
+    it(`${locale}: gives a hidden page's place to one that waits, and has it back`, async () => {
+      const first = await Viewer.open(browser, server.url, { ...DESKTOP, locale });
+      await first.settled();
+      const letters = await first.edgeLetters();
+      await putInSight(first, 'hidden');
+      const second = await Viewer.open(browser, server.url, DESKTOP);
+      await second.settled();
+      await first.page.locator('[data-part=gave-way]', { hasText: words }).waitFor();
+      await assertAccessible(first, 'gave way');
+      await first.screenshot(`desktop-gave-way-${locale}`);
+      await putInSight(first, 'visible');
+      await first.page.locator('.banner', { hasText: /You are next|an der Reihe/ }).waitFor();
+      await second.close();
+      await first.settled();
+      assert.equal(await first.edgeLetters(), letters);
+      await first.close();
+    });
+  }
 });
+
+/** As when the browser's window is covered, or another tab is in front. */
+async function putInSight(viewer, state) {
+  await viewer.page.evaluate((visibility) => {
+    Object.defineProperty(document, 'visibilityState', { value: visibility, configurable: true });
+    document.dispatchEvent(new Event('visibilitychange'));
+  }, state);
+}

@@ -167,6 +167,20 @@ TEST_F(ConfigTest, EveryIntegerKeyTakesItsLimitsAndNothingBeyond) {
   }
 }
 
+TEST_F(ConfigTest, HostsAndProxiesAreWhatTheySay) {
+  read(R"([server]
+hosts = ["viewer.example", "[fd00::1]"]
+trusted_proxies = ["10.0.0.0/8", "127.0.0.1", "fd00::/8"]
+)");
+  EXPECT_EQ(config.net.hosts, (std::vector<std::string>{"viewer.example", "[fd00::1]"}));
+  EXPECT_EQ(config.net.trusted_proxies.size(), 3);
+  for (const std::string bad :
+       {"hosts = ['https://viewer.example']", "hosts = ['viewer.example:80']", "hosts = ['']",
+        "trusted_proxies = ['proxy.example']", "trusted_proxies = ['10.0.0.0/33']"}) {
+    EXPECT_EQ(refused("[server]\n" + bad).field, line(2)) << bad;
+  }
+}
+
 TEST(Listen, TakesAddressAndPort) {
   NetSettings settings;
   parse_listen("0.0.0.0:0", settings);

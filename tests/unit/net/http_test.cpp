@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::fetch;
 using testing::RawClient;
+using testing::SocketClient;
 using testing::TestServer;
 
 /// A web client's folder, next to a file that is not to be served.
@@ -142,7 +143,7 @@ TEST_F(HttpTest, SaysHowItIs) {
   server.in_trouble = true;
   EXPECT_EQ(get("/healthz").result_int(), 200);
   EXPECT_EQ(get("/readyz").result_int(), 503);
-  EXPECT_EQ(get("/readyz").body(), "no GPU\n");
+  EXPECT_EQ(Json::parse(get("/readyz").body())["reason"], "no GPU");
 }
 
 TEST_F(HttpTest, ListsTheVolumes) {
@@ -209,15 +210,14 @@ TEST(Http, FiftySilentConnectionsDisturbNobody) {
   EXPECT_EQ(fetch(server.port(), "/healthz").result_int(), 200);
 }
 
-TEST(Http, ConnectionsBeyondTheLimitAreDropped) {
+TEST(Http, ConnectionsBeyondTheLimitAreDroppedWhereNoneWaitsForARequest) {
   NetSettings settings = testing::test_settings();
   settings.connections = 3;
   TestServer server(settings);
-  std::vector<std::unique_ptr<RawClient>> taking;
+  std::vector<std::unique_ptr<SocketClient>> taking;
   for (int i = 0; i < 3; ++i) {
-    taking.push_back(std::make_unique<RawClient>(server.port()));
-    taking.back()->send("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
-    EXPECT_FALSE(taking.back()->read_some().empty());
+    taking.push_back(std::make_unique<SocketClient>(server.port()));
+    taking.back()->read_until("capabilities");
   }
   RawClient one_more(server.port());
   EXPECT_EQ(one_more.read_to_end(), "");
@@ -256,9 +256,37 @@ TEST(Host, OnAnotherLoopbackAddressIsThatOneToo) {
   EXPECT_FALSE(host_allowed("evil.example", {.address = "::1"}));
 }
 
-TEST(Host, OnAnAddressThatOthersReachIsAnyName) {
-  EXPECT_TRUE(host_allowed("viewer.example", {.address = "0.0.0.0"}));
-  EXPECT_TRUE(host_allowed("viewer.example", {.address = "192.168.1.5"}));
+TEST(Host, OnAnAddressThatOthersReachIsListedOrAnAddress) {
+  const NetSettings unnamed{.address = "0.0.0.0"};
+  for (const char* host : {"192.168.1.5", "192.168.1.5:8080", "[fd00::1]:80", "localhost"}) {
+    EXPECT_TRUE(host_allowed(host, unnamed)) << host;
+  }
+  for (const char* host : {"viewer.example", "", "evil.example:80", "1.2.3", "[1.2.3.4]", "fd00::1",
+                           "1.2.3.4.example"}) {
+    EXPECT_FALSE(host_allowed(host, unnamed)) << host;
+  }
+  const NetSettings named{.address = "192.168.1.5", .hosts = {"viewer.example"}};
+  EXPECT_TRUE(host_allowed("Viewer.Example:443", named));
+  EXPECT_TRUE(host_allowed("192.168.1.5:80", named));
+  EXPECT_FALSE(host_allowed("evil.example", named));
+}
+
+TEST(Host, OfTheListIsRightOnALoopbackAddressToo) {
+  EXPECT_TRUE(host_allowed("viewer.example", {.hosts = {"viewer.example"}}));
+  EXPECT_FALSE(host_allowed("192.168.1.5", {.hosts = {"viewer.example"}}));
+}
+
+TEST(Http, OnEveryAddressAStrangersNameIsRefused) {
+  NetSettings settings = testing::test_settings();
+  settings.address = "0.0.0.0";
+  settings.hosts = {"viewer.example"};
+  TestServer server(settings);
+  const auto status = [&](const std::string& host) {
+    return fetch(server.port(), "/healthz", {{"Host", host}}).result_int();
+  };
+  EXPECT_EQ(status("evil.example"), 421);
+  EXPECT_EQ(status("viewer.example:80"), 200);
+  EXPECT_EQ(status("192.168.1.5:80"), 200);
 }
 
 TEST_F(HttpTest, ARequestThatWasMeantForAnotherHostIsRefused) {

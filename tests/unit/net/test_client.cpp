@@ -39,6 +39,11 @@ error_code run_to_end(asio::io_context& io, Start start) {
   return result;
 }
 
+void bind_to(tcp::socket& socket, const std::string& from) {
+  socket.open(tcp::v4());
+  socket.bind({asio::ip::make_address(from), 0});
+}
+
 constexpr std::size_t kTextFrameBytes = 1024;
 
 /// A masked text frame of 1 KiB (the mask is 0).
@@ -51,8 +56,8 @@ std::string text_frame(std::string text) {
 
 }  // namespace
 
-RawClient::RawClient(std::uint16_t port, int receive_buffer_bytes) {
-  socket_.open(tcp::v4());
+RawClient::RawClient(std::uint16_t port, int receive_buffer_bytes, const std::string& from) {
+  bind_to(socket_, from);
   if (receive_buffer_bytes > 0) {
     socket_.set_option(tcp::socket::receive_buffer_size(receive_buffer_bytes));
   }
@@ -146,11 +151,13 @@ error_code SocketClient::finish(Start start) {
 }
 
 SocketClient::SocketClient(std::uint16_t port, const Options& options) {
+  bind_to(beast::get_lowest_layer(stream_).socket(), options.from);
   beast::get_lowest_layer(stream_).connect(endpoint(port));
   stream_.set_option(websocket::stream_base::decorator([options](websocket::request_type& request) {
     if (!options.subprotocol.empty()) {
       request.set(http::field::sec_websocket_protocol, options.subprotocol);
     }
+    if (!options.forwarded_for.empty()) request.set("X-Forwarded-For", options.forwarded_for);
     if (!options.origin.empty()) request.set(http::field::origin, options.origin);
   }));
   stream_.read_message_max(64U << 20U);

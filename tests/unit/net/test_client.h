@@ -22,7 +22,9 @@ using HttpResponseMessage = boost::beast::http::response<boost::beast::http::str
 /// Bytes over TCP, as no well-behaved client sends them.
 class RawClient {
  public:
-  explicit RawClient(std::uint16_t port, int receive_buffer_bytes = 0);
+  /// `from`: an address of this machine, such as 127.0.0.2.
+  explicit RawClient(std::uint16_t port, int receive_buffer_bytes = 0,
+                     const std::string& from = "127.0.0.1");
 
   /// False where the server has closed the connection.
   bool send(const std::string& bytes);
@@ -56,6 +58,8 @@ class SocketClient {
     std::string subprotocol = "cutaway.v1";
     std::string origin;
     std::string target = "/ws";
+    std::string from = "127.0.0.1";  ///< an address of this machine, such as 127.0.0.2
+    std::string forwarded_for;
   };
   struct Binary {
     std::vector<std::uint8_t> bytes;
@@ -81,6 +85,8 @@ class SocketClient {
   std::optional<Binary> read_frame();
   /// Reads until the connection is closed; the code with which.
   std::uint16_t read_close_code();
+  /// The close reason that came.
+  std::string close_reason() const { return stream_.reason().reason.c_str(); }
   void acknowledge(const Binary& frame);
   /// A volume and a viewport: from here on frames come.
   void show_ball();

@@ -87,6 +87,7 @@ export class MockSession {
       return this.#views[message.view ?? 0].acknowledge(message.frame);
     }
     if (message.type === 'close_view') return this.#views[message.view].close();
+    if (message.type === 'presence') return undefined;
     if (message.type === 'cancel_load') return this.#cancelLoad();
     if (message.type === 'save_still') {
       const scene = mergePatch(this.#scene, message.scene ?? {});

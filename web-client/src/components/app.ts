@@ -141,6 +141,7 @@ export class CutawayApp extends SessionElement {
     const loss = lossInWords(link);
     if (loss) return texts.disconnected(loss);
     if (link.phase === 'queued') return texts.queue(link.place);
+    if (link.phase === 'gave_way') return texts.gave_way;
     if (stalled) return texts.stalled;
     if (loading) return texts.opening(texts.stages[loading.stage]);
     if (awaits_volume) return texts.looking_for_volumes;

@@ -76,7 +76,8 @@ export class PictureMessages extends SessionElement {
 
   private emptyNote() {
     const { shown, loading, link, capabilities, volumes, awaits_volume } = this.state;
-    if (shown || loading || lossInWords(link) || link.phase === 'queued') return nothing;
+    const is_told = link.phase === 'queued' || link.phase === 'gave_way' || lossInWords(link);
+    if (shown || loading || is_told) return nothing;
     const texts = words().page;
     const empty = capabilities !== undefined && volumes.length === 0;
     const coming = awaits_volume ? texts.looking_for_volumes : texts.preparing;
@@ -95,17 +96,18 @@ export class PictureMessages extends SessionElement {
     const texts = words().page;
     if (link.phase === 'queued')
       return html`<div class="banner"><span>${texts.queue(link.place)}</span></div>`;
+    if (link.phase === 'gave_way') return this.banner('gave-way', texts.gave_way, texts.go_on);
     const loss = lossInWords(link);
     if (loss) return this.banner('reconnecting', texts.reconnecting(loss));
     const stalls = link.phase === 'connected' && this.state.stalled;
     return stalls ? this.banner('stalled', texts.stalled) : nothing;
   }
 
-  private banner(part: string, text: string) {
+  private banner(part: string, text: string, action = words().page.try_now) {
     return html`<div class="banner" data-part=${part}>
       <span>${text}</span>
       <button class="text-button" @click=${() => this.session.commands.connectNow()}>
-        ${words().page.try_now}
+        ${action}
       </button>
     </div>`;
   }

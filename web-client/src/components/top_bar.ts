@@ -79,6 +79,7 @@ export class TopBar extends SessionElement {
         background: var(--good);
       }
       .queued .dot,
+      .gave_way .dot,
       .waiting .dot {
         background: var(--problem);
       }

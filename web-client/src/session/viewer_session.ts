@@ -24,6 +24,7 @@ import { Measuring } from './measuring.ts';
 import type { OpenStorage, WatchStorage } from '../preferences/browser_storage.ts';
 import { OwnStyling } from './own_styling.ts';
 import { Picker } from './picker.ts';
+import { Presence, type PageSight } from './presence.ts';
 import { PreviewRequests } from './preview_requests.ts';
 import { SceneLink } from './scene_link.ts';
 import { SceneOpening } from './scene_opening.ts';
@@ -47,6 +48,7 @@ export interface PageParts {
   readonly saveFile: SaveFile;
   readonly openStorage: OpenStorage;
   readonly watchStorage: WatchStorage;
+  readonly sight: PageSight;
 }
 
 export interface SessionParts extends PageParts {
@@ -78,6 +80,7 @@ export class ViewerSession {
   private readonly picker: Picker;
   private readonly link: SceneLink;
   private readonly opening: SceneOpening;
+  private readonly presence: Presence;
   /** As it came. */
   private readonly told: Told = { capabilities: undefined, volumes: [], volume: undefined };
   private readonly frame_rate = new FrameRate();
@@ -86,6 +89,7 @@ export class ViewerSession {
     const stream = parts.openStream((event) => this.onEvent(event));
     this.link = new SceneLink(this.store, stream);
     this.opening = new SceneOpening(this.store, this.link, this.toasts);
+    this.presence = new Presence(this.store, stream, parts.sight);
     const requests = new Counter();
     this.commands = new Commands(this.store, this.link, stream, this.toasts);
     this.picker = new Picker(stream, requests, () => this.link.flush());
@@ -164,6 +168,7 @@ export class ViewerSession {
     this.told.capabilities = capabilities;
     this.publish();
     this.store.update({ link: { phase: 'connected' } });
+    this.presence.restart();
     this.link.restart();
     this.opening.restart();
     this.layout.restart();
@@ -213,6 +218,7 @@ export class ViewerSession {
   }
 
   private onError(error: ErrorMessage): void {
+    if (error.code === 'gave-way') return; // the end of the connection says so, too
     this.link.refused(error);
     const answers_own = [
       this.opening.refused(error),

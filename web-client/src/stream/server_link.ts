@@ -6,6 +6,8 @@ import type { LinkLoss, LinkReason, LinkState } from './worker_messages.ts';
 const TOO_LARGE = 1009;
 const TRY_AGAIN_LATER = 1013;
 const NO_CODE = 1006;
+/** Of the protocol's own: the session went to another who waited. */
+const GAVE_WAY = 4000;
 
 const SUBPROTOCOL = 'cutaway.v1';
 /**
@@ -104,6 +106,10 @@ export class ServerLink {
     if (was_open && performance.now() - (this.opened_at_ms ?? 0) > SETTLED_MS) this.backoff.reset();
     this.socket = undefined;
     this.opened_at_ms = undefined;
+    if (code === GAVE_WAY) {
+      this.loss = undefined;
+      return this.listener.onLinkState({ phase: 'gave_way' });
+    }
     const reason = reasonFor(code, was_open);
     this.loss = { reason, said };
     const retry_in_ms = this.backoff.nextDelayMs(reason === 'full' || reason === 'too_large');

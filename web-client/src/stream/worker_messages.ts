@@ -21,6 +21,8 @@ export type LinkState =
   | { readonly phase: 'connected' }
   /** The server is full; `place` 1 is the next to be let in. */
   | { readonly phase: 'queued'; readonly place: number }
+  /** The session went to another who waited; nothing is tried until the user comes back. */
+  | { readonly phase: 'gave_way' }
   | ({ readonly phase: 'waiting'; readonly retry_in_ms: number } & LinkLoss);
 
 export interface LinkLoss {

@@ -8,6 +8,7 @@ export const page = {
     connecting: 'Connecting',
     connected: 'Connected',
     queued: 'In the queue',
+    gave_way: 'Paused',
     waiting: 'Disconnected',
   },
   bar: {
@@ -38,6 +39,9 @@ export const page = {
     `The server is full. ${
       place === 1 ? 'You are next' : `You are number ${place} in the queue`
     }; this page goes on by itself.`,
+  gave_way:
+    'Others were waiting, and this page’s place on the server went to one of them. It goes on as soon as you are back.',
+  go_on: 'Go on',
   link_reasons: {
     full: 'the server is full',
     lost: 'the connection was lost',

@@ -8,6 +8,7 @@ export const page: Words['page'] = {
     connecting: 'Verbindet',
     connected: 'Verbunden',
     queued: 'In der Warteschlange',
+    gave_way: 'Unterbrochen',
     waiting: 'Getrennt',
   },
   bar: {
@@ -38,6 +39,9 @@ export const page: Words['page'] = {
     `Der Server ist voll. ${
       place === 1 ? 'Sie sind als Nächstes an der Reihe' : `Sie stehen an Stelle ${place}`
     }; diese Seite macht von selbst weiter.`,
+  gave_way:
+    'Andere haben gewartet, und der Platz dieser Seite auf dem Server ging an sie. Sie macht weiter, sobald Sie zurück sind.',
+  go_on: 'Weitermachen',
   link_reasons: {
     full: 'der Server ist voll',
     lost: 'die Verbindung ging verloren',
