@@ -11,10 +11,12 @@ namespace cutaway::reading {
 
 namespace {
 
-// Header decimals are often rounded to 0.1 or 0.01 mm; what they cannot explain is a real
-// irregularity.
+// What the digits of a header cannot explain is a real irregularity.
 constexpr double kHeightTolerance = 0.05;  // of the slice distance
 constexpr double kHeightToleranceMm = 0.011;
+constexpr double kLargestHeightTolerance = 0.35;  // of the slice distance, whatever the digits
+constexpr double kSameGap = 0.1;                  // of the smaller of two gaps
+constexpr int kFewestOfASpacing = 3;              // gaps in a row that are no accident
 constexpr double kShiftTolerancePx = 0.1;
 constexpr double kAxisTolerance = 1e-3;    // of length and of the cosine between axes
 constexpr double kLargestGapSlices = 4.5;  // in median slice distances: a gap of four still counts
@@ -97,22 +99,91 @@ void require_gaps(const std::filesystem::path& file, const std::vector<double>& 
   }
 }
 
-bool evenly_spaced(const std::vector<double>& heights, double step_mm) {
-  const double tolerance = std::max(kHeightTolerance * step_mm, kHeightToleranceMm);
+/// Two places are each off by as much as a digit leaves open along any direction.
+double position_tolerance_mm(const SliceStack& stack) {
+  return 2 * std::sqrt(3.0) * stack.position_error_mm;
+}
+
+bool evenly_spaced(const std::vector<double>& heights, double step_mm, double position_mm) {
+  const double by_digits = std::min(position_mm, kLargestHeightTolerance * step_mm);
+  const double tolerance = std::max({kHeightTolerance * step_mm, kHeightToleranceMm, by_digits});
   for (std::size_t k = 0; k < heights.size(); ++k) {
     if (std::abs(heights[k] - static_cast<double>(k) * step_mm) > tolerance) return false;
   }
   return true;
 }
 
-std::string uneven_warning(const std::vector<double>& gaps, double step_mm) {
+/// Gaps of one size in a row.
+struct Spacing {
+  double gap_mm = 0.0;
+  int count = 0;
+};
+
+bool is_same_gap(double a, double b, double tolerance_mm) {
+  return std::abs(a - b) <= std::max(kSameGap * std::min(a, b), tolerance_mm);
+}
+
+std::vector<Spacing> spacings_of(const std::vector<double>& gaps, double tolerance_mm) {
+  std::vector<Spacing> spacings;
+  for (const double gap : gaps) {
+    if (!spacings.empty() && is_same_gap(gap, spacings.back().gap_mm, tolerance_mm)) {
+      ++spacings.back().count;
+    } else {
+      spacings.push_back({gap, 1});
+    }
+  }
+  return spacings;
+}
+
+/// The distances in which whole stretches of the stack were taken, the smallest first, each once.
+std::vector<double> steady_gaps(const std::vector<Spacing>& spacings, double tolerance_mm) {
+  std::vector<double> steady;
+  for (const auto& [gap, count] : spacings) {
+    const bool is_new = std::none_of(steady.begin(), steady.end(), [&](double other) {
+      return is_same_gap(gap, other, tolerance_mm);
+    });
+    if (count >= kFewestOfASpacing && is_new) steady.push_back(gap);
+  }
+  std::sort(steady.begin(), steady.end());
+  return steady;
+}
+
+/// Slices that a gap has room for, where its size says so and it is no spacing of its own.
+int missing_in(const Spacing& spacing, double step_mm) {
+  const double steps = spacing.gap_mm / step_mm;
+  const bool is_whole = std::abs(steps - std::round(steps)) <= kSameGap * steps;
+  if (spacing.count >= kFewestOfASpacing || !is_whole) return 0;
+  return spacing.count * (static_cast<int>(std::lround(steps)) - 1);
+}
+
+std::string missing_in_words(int missing) {
+  return missing == 1 ? "1 slice is missing" : fmt::format("{} slices are missing", missing);
+}
+
+std::string uneven_warning(const std::vector<double>& gaps, double step_mm, double tolerance_mm) {
   const auto [smallest, largest] = std::minmax_element(gaps.begin(), gaps.end());
+  const std::vector<Spacing> spacings = spacings_of(gaps, tolerance_mm);
+  const std::vector<double> steady = steady_gaps(spacings, tolerance_mm);
   int missing = 0;
-  for (const double gap : gaps) missing += static_cast<int>(std::lround(gap / step_mm)) - 1;
-  const std::string what = missing > 0 ? fmt::format("{} slices are missing", missing)
-                                       : std::string("slices are unevenly spaced");
+  for (const auto& spacing : spacings) missing += missing_in(spacing, step_mm);
+  std::string what = "slices are unevenly spaced";
+  if (steady.size() > 1) {
+    what =
+        fmt::format("the distance between slices changes from {:.4g} to {:.4g} mm within the stack",
+                    steady.front(), steady.back());
+    if (missing > 0) what += ", and " + missing_in_words(missing);
+  } else if (missing > 0) {
+    what = missing_in_words(missing);
+  }
   return fmt::format("{} ({:.4g} to {:.4g} mm apart); resampled to {:.4g} mm", what, *smallest,
                      *largest, step_mm);
+}
+
+/// The finest of the steady distances, so that resampling loses no slice of such a stretch.
+double resampled_step_mm(const std::vector<double>& gaps, double typical_mm, double tolerance_mm) {
+  const auto steady = steady_gaps(spacings_of(gaps, tolerance_mm), tolerance_mm);
+  if (steady.size() < 2) return typical_mm;
+  return std::max(steady.front(), typical_mm / kLargestGapSlices);
 }
 
 std::vector<glm::dvec2> shifts_px(const SliceStack& stack, const glm::dmat3& axes) {
@@ -129,15 +200,15 @@ std::vector<glm::dvec2> shifts_px(const SliceStack& stack, const glm::dmat3& axe
 /// Sets the slices' places along k and the spacing between slices; true where the grid has to be
 /// resampled.
 bool place_along_k(const std::filesystem::path& file, const std::vector<double>& heights,
-                   GridPlan& plan) {
+                   double tolerance_mm, GridPlan& plan) {
   const std::vector<double> gaps = gaps_between(heights);
   double step_mm = heights.back() / static_cast<double>(heights.size() - 1);
   const double typical_mm = median(gaps);
   require_gaps(file, gaps, typical_mm);
-  const bool even = evenly_spaced(heights, step_mm);
+  const bool even = evenly_spaced(heights, step_mm, tolerance_mm);
   if (!even) {
-    step_mm = typical_mm;
-    plan.warnings.push_back(uneven_warning(gaps, step_mm));
+    step_mm = resampled_step_mm(gaps, typical_mm, tolerance_mm);
+    plan.warnings.push_back(uneven_warning(gaps, step_mm, tolerance_mm));
   }
   for (std::size_t k = 0; k < heights.size(); ++k) {
     plan.placements[k].height = even ? static_cast<double>(k) : heights[k] / step_mm;
@@ -150,13 +221,26 @@ bool place_along_k(const std::filesystem::path& file, const std::vector<double>&
   return !even;
 }
 
-std::string tilt_warning(const SliceStack& stack, const glm::dmat3& axes) {
+/// A tilt of the gantry, where a line through the slices' corners leans; else they lie about it.
+std::string tilt_warning(const SliceStack& stack, const glm::dmat3& axes, glm::dvec2 spread_px) {
   const glm::dvec3 climb = stack.first_pixel_mm.back() - stack.first_pixel_mm.front();
   const double rise = glm::dot(climb, axes[2]);
   const double degrees =
       std::acos(std::clamp(rise / glm::length(climb), -1.0, 1.0)) * 180 / std::numbers::pi;
+  if (degrees >= 0.05) {
+    return fmt::format(
+        "slices are sheared by {:.1f} degrees (gantry tilt); resampled to a right grid", degrees);
+  }
+  const glm::dvec2 spread_mm = spread_px * stack.pixel_spacing_mm;
   return fmt::format(
-      "slices are sheared by {:.1f} degrees (gantry tilt); resampled to a right grid", degrees);
+      "slices are shifted against each other by up to {:.2g} mm; resampled to a right grid",
+      std::max(spread_mm.x, spread_mm.y));
+}
+
+/// What digits, of positions and over the stack's height of directions, leave open.
+double shift_tolerance_mm(const SliceStack& stack) {
+  const double height = glm::length(stack.first_pixel_mm.back() - stack.first_pixel_mm.front());
+  return position_tolerance_mm(stack) + 2 * stack.axis_error * height;
 }
 
 /// Sets the slices' places along i and j and widens the grid to hold them all.
@@ -171,7 +255,9 @@ bool place_in_plane(const SliceStack& stack, const glm::dmat3& axes, GridPlan& p
     high = glm::max(high, shift);
   }
   const glm::dvec2 spread = high - low;
-  if (std::max(spread.x, spread.y) <= kShiftTolerancePx) return false;
+  const glm::dvec2 tolerance =
+      glm::max(glm::dvec2(kShiftTolerancePx), shift_tolerance_mm(stack) / stack.pixel_spacing_mm);
+  if (spread.x <= tolerance.x && spread.y <= tolerance.y) return false;
   const glm::dvec2 first = glm::floor(low);
   const glm::dvec2 added = glm::min(glm::ceil(high) - first, glm::dvec2(1e6));
   plan.geometry.size_voxels.x += static_cast<int>(added.x);
@@ -179,7 +265,7 @@ bool place_in_plane(const SliceStack& stack, const glm::dmat3& axes, GridPlan& p
   plan.geometry.origin_patient_mm += axes[0] * (first.x * stack.pixel_spacing_mm.x) +
                                      axes[1] * (first.y * stack.pixel_spacing_mm.y);
   for (std::size_t k = 0; k < shifts.size(); ++k) plan.placements[k].shift_px = shifts[k] - first;
-  plan.warnings.push_back(tilt_warning(stack, axes));
+  plan.warnings.push_back(tilt_warning(stack, axes, spread));
   return true;
 }
 
@@ -198,7 +284,8 @@ GridPlan plan_grid(const std::filesystem::path& file, const SliceStack& stack,
   plan.geometry.direction_patient = axes;
   plan.geometry.origin_patient_mm = stack.first_pixel_mm.front();
   plan.geometry.spacing_mm = {stack.pixel_spacing_mm, 1.0};
-  const bool uneven = place_along_k(file, heights_mm(stack, axes), plan);
+  const bool uneven =
+      place_along_k(file, heights_mm(stack, axes), position_tolerance_mm(stack), plan);
   const bool tilted = place_in_plane(stack, axes, plan);
   plan.needs_resampling = uneven || tilted;
   const glm::ivec3 size = plan.geometry.size_voxels;

@@ -17,7 +17,9 @@ struct SliceStack {
   glm::dvec3 i_axis{1, 0, 0};        ///< unit
   glm::dvec3 j_axis{0, 1, 0};        ///< unit
   std::vector<glm::dvec3>
-      first_pixel_mm;  ///< centre of pixel (0,0), one a slice, in stacking order
+      first_pixel_mm;              ///< centre of pixel (0,0), one a slice, in stacking order
+  double position_error_mm = 0.0;  ///< of each coordinate, as the file's digits leave it open
+  double axis_error = 0.0;         ///< of each cosine, likewise
 };
 
 /// Where one slice lies in the output grid, in voxels of it.
