@@ -85,20 +85,6 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-void require_gaps(const std::filesystem::path& file, const std::vector<double>& gaps,
-                  double typical_mm) {
-  const auto [smallest, largest] = std::minmax_element(gaps.begin(), gaps.end());
-  if (!(*smallest > 1e-4)) {
-    refuse(file, "slices coincide or run back", "slices one behind the other",
-           fmt::format("a step of {:.4g} mm", *smallest));
-  }
-  if (*largest > kLargestGapSlices * typical_mm) {
-    refuse(file, "too many slices are missing in one place",
-           fmt::format("gaps of at most {:.4g} mm", kLargestGapSlices * typical_mm),
-           fmt::format("a gap of {:.4g} mm among slices {:.4g} mm apart", *largest, typical_mm));
-  }
-}
-
 /// Two places are each off by as much as a digit leaves open along any direction.
 double position_tolerance_mm(const SliceStack& stack) {
   return 2 * std::sqrt(3.0) * stack.position_error_mm;
@@ -133,6 +119,22 @@ std::vector<Spacing> spacings_of(const std::vector<double>& gaps, double toleran
     }
   }
   return spacings;
+}
+
+/// A wide gap by itself is a hole; several in a row are a spacing.
+void require_gaps(const std::filesystem::path& file, const std::vector<double>& gaps,
+                  double typical_mm, double tolerance_mm) {
+  const double smallest = *std::min_element(gaps.begin(), gaps.end());
+  if (!(smallest > 1e-4)) {
+    refuse(file, "slices coincide or run back", "slices one behind the other",
+           fmt::format("a step of {:.4g} mm", smallest));
+  }
+  for (const auto& [gap, count] : spacings_of(gaps, tolerance_mm)) {
+    if (count >= kFewestOfASpacing || gap <= kLargestGapSlices * typical_mm) continue;
+    refuse(file, "too many slices are missing in one place",
+           fmt::format("gaps of at most {:.4g} mm", kLargestGapSlices * typical_mm),
+           fmt::format("a gap of {:.4g} mm among slices {:.4g} mm apart", gap, typical_mm));
+  }
 }
 
 /// The distances in which whole stretches of the stack were taken, the smallest first, each once.
@@ -204,7 +206,7 @@ bool place_along_k(const std::filesystem::path& file, const std::vector<double>&
   const std::vector<double> gaps = gaps_between(heights);
   double step_mm = heights.back() / static_cast<double>(heights.size() - 1);
   const double typical_mm = median(gaps);
-  require_gaps(file, gaps, typical_mm);
+  require_gaps(file, gaps, typical_mm, tolerance_mm);
   const bool even = evenly_spaced(heights, step_mm, tolerance_mm);
   if (!even) {
     step_mm = resampled_step_mm(gaps, typical_mm, tolerance_mm);

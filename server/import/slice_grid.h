@@ -36,8 +36,8 @@ struct GridPlan {
 };
 
 /// Slices at even distances and straight above each other become the grid itself. Gantry tilt,
-/// uneven distances and gaps of up to four slices give a grid to resample to, and warnings that say
-/// so. Throws Error naming `file` where no such grid is right: spacing or direction that is not
+/// distances that change and gaps of up to four slices give a grid to resample to, and warnings that
+/// say so. Throws Error naming `file` where no such grid is right: spacing or direction that is not
 /// finite or not positive, rows and columns not at right angles, slices that coincide or run back,
 /// a larger gap, a place farther from the origin than a scene's camera can be, an output beyond the
 /// limit at `bytes_per_voxel`.

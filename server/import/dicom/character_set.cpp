@@ -203,6 +203,9 @@ std::string CharacterSet::decoded(std::string_view text) const {
     return printable(converted(text, *encoding));
   const CodeElement* high = first_high_set(declared_.front());
   const bool has_escapes = text.find(kEscape) != text.npos;
+  // Some writers declare a second set and call it up nowhere.
+  for (std::size_t i = 1; i < declared_.size() && !high && !has_escapes; ++i)
+    high = first_high_set(declared_[i]);
   if (!high && !has_escapes) return printable(text);
   return printable(EscapedText(text, high).decoded());
 }

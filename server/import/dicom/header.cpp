@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kMarkOffset = 128;
 constexpr std::string_view kMark = "DICM";
 constexpr std::string_view kDeflated = "1.2.840.10008.1.2.1.99";
-constexpr int kDeepest = 32;
+constexpr int kDeepest = 128;
 constexpr std::size_t kMostElements = 400'000;
 
 bool has_mark(ByteSource& source) {

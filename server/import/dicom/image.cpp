@@ -60,11 +60,18 @@ void require_image(const fs::path& file, const DicomHeader& header, const DataSe
 
 std::string folder_of(const fs::path& file) { return "in " + file.parent_path().string(); }
 
+/// Exports differ in case and in empty components at the end.
+std::string plain_name(const std::string& name) {
+  std::string plain = lower_case(name);
+  while (!plain.empty() && (plain.back() == '^' || plain.back() == ' ')) plain.pop_back();
+  return plain;
+}
+
 /// Series without an identifier are told apart by their folders.
 std::array<std::string, kIdentities> identity_of(const fs::path& file, const DataSet& data) {
   const std::string series = data.text(0x0020000e);
   const bool is_localizer = data.text(kImageType).find("LOCALIZER") != std::string::npos;
-  return {data.text(0x00100020), data.text(0x00100010) + " " + data.text(0x00100030),
+  return {data.text(0x00100020), plain_name(data.text(0x00100010)),
           data.text(0x0020000d), series.empty() ? folder_of(file) : series,
           data.text(0x00200011), data.text(0x00200052),
           data.text(kModality),  is_localizer ? "localizer" : "",

@@ -103,11 +103,17 @@ RefusedFile refuse_coinciding(const DicomGroup& group) {
                       group.frames.size())};
 }
 
+/// Numbers that count the slices instead of what they are meant to count tell nothing.
+std::vector<DicomGroup> split_unless_scattered(const DicomGroup& group, PlaneKey key) {
+  std::vector<DicomGroup> parts = split_by_key(group, key);
+  return parts.size() > 2 && parts.size() == group.frames.size() ? std::vector{group} : parts;
+}
+
 std::vector<DicomGroup> split_series(const DicomGroup& series) {
   std::vector<DicomGroup> parts = split_by_pixel_grid(series);
   for (std::size_t key = 0; key < kPlaneKeysThatAlwaysPart; ++key) {
     parts = each(std::move(parts), [key](const DicomGroup& part) {
-      return split_by_key(part, static_cast<PlaneKey>(key));
+      return split_unless_scattered(part, static_cast<PlaneKey>(key));
     });
   }
   return each(std::move(parts), split_interleaved);

@@ -89,7 +89,6 @@ const Syntax* find_syntax(std::string_view uid) {
 }  // namespace
 
 std::string syntax_in_words(std::string_view uid) {
-  if (uid.empty()) return "none";
   const Syntax* syntax = find_syntax(uid);
   return syntax ? std::string(syntax->name) + " (" + std::string(uid) + ")" : std::string(uid);
 }
@@ -97,6 +96,7 @@ std::string syntax_in_words(std::string_view uid) {
 PixelPacking required_packing(const std::filesystem::path& file, std::string_view uid,
                               bool is_in_fragments) {
   if (uid.empty() && !is_in_fragments) return PixelPacking::plain;
+  if (uid.empty()) refuse(file, "the file does not say how its pixels are compressed");
   const Syntax* syntax = find_syntax(uid);
   if (!syntax || !syntax->packing) {
     refuse(file, "the transfer syntax of the pixels is not read",

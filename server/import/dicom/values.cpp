@@ -109,7 +109,7 @@ double ValueTable::value_of(double stored) const {
 
 bool ValueMeaning::operator==(const ValueMeaning& other) const {
   if (!table != !other.table || (table && !(*table == *other.table))) return false;
-  return slope == other.slope && intercept == other.intercept && units == other.units;
+  return slope == other.slope && intercept == other.intercept;
 }
 
 ValueMeaning value_meaning(const std::filesystem::path& file, const DataSet& data,

@@ -32,6 +32,7 @@ struct ValueMeaning {
   bool is_real_world = false;  ///< a mapping that the file's windows know nothing of
   std::string units = "none";
 
+  /// Of the numbers: what the units are called may differ.
   bool operator==(const ValueMeaning& other) const;
 };
 

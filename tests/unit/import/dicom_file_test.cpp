@@ -99,7 +99,7 @@ TEST(Dicom, TheFirstOfItsWindowsIsKept) {
     TemporaryFolder folder;
     auto slices = with_text(ramp_series(3, {0, 0, 0}, {0, 0, 2}), {0x0028, 0x1050}, centres);
     write_series(folder.path(), with_text(std::move(slices), {0x0028, 0x1051}, widths));
-    return read_only_volume(folder.path()).description.window;
+    return only_source(folder.path(), folder.path()).description.window;
   };
   EXPECT_EQ(window_with("50\\-600", "350\\1500"), (ValueRange{-125.0, 225.0}));
   EXPECT_EQ(window_with("50", "0"), std::nullopt);
@@ -171,8 +171,9 @@ TEST(EnhancedDicom, FramesAreDecodedOneByOne) {
 }
 
 TEST_P(DicomSyntax, DecodesEnhancedFrames) {
-  auto frames = ramp_series(5, {3, 4, 50}, {0, 0, -2}, ramp_slice({1, 0, 0}, {0, 1, 0}));
-  std::swap(frames[1], frames[3]);
+  DicomSlice like;
+  like.size_px = {32, 16};
+  auto frames = ramp_series(5, {3, 4, 50}, {0, 0, -2}, like);
   TemporaryFolder folder;
   write_enhanced_dicom(folder / "enhanced.dcm", frames);
   transcode(folder / "enhanced.dcm", GetParam());
@@ -289,7 +290,7 @@ TEST(Dicom, StopsBetweenSlicesAndReportsOnTheWay) {
   EXPECT_TRUE(std::is_sorted(heard.begin(), heard.end()));
   EXPECT_EQ(heard.front(), (std::pair{LoadStage::read, 0.0}));
   EXPECT_EQ(heard.back(), (std::pair{LoadStage::decode, 1.0}));
-  EXPECT_GE(heard.size(), 9U);  // 6 files read, and as many decoded as one thread does
+  EXPECT_GE(heard.size(), 8U);  // 6 files read, and the share of the decoding that this thread does
   std::stop_source stop;
   const auto stop_at_decoding = [&](LoadStage stage, double) {
     if (stage == LoadStage::decode) stop.request_stop();

@@ -63,12 +63,13 @@ TEST(DicomValues, TablesThatDifferAreAppliedEachToItsSlice) {
   EXPECT_EQ(value_at(volume, {1, 0, 1}), 7);
 }
 
-TEST(DicomValues, ATableWithoutEntriesIsRefused) {
+TEST(DicomValues, ATableOfOneEntryIsOne) {
   auto slices = slices_of(2, with_table("US"));
   for (auto& slice : slices) slice.table.entries.resize(1);
-  TemporaryFolder folder;
-  write_series(folder.path(), slices);
-  EXPECT_EQ(value_at(read_only_volume(folder.path()), {3, 3, 0}), 4000) << "one entry is a table";
+  slices[1].table.entries[0] = 5;
+  const Volume volume = volume_of(slices);
+  EXPECT_EQ(value_at(volume, {3, 3, 0}), 4000);
+  EXPECT_EQ(value_at(volume, {0, 0, 1}), 5);
 }
 
 TEST(DicomValues, AnEnhancedFilesCommonRescaleIsApplied) {
@@ -110,6 +111,22 @@ TEST(DicomValues, UnitsThatAreStatedAreShown) {
     EXPECT_EQ(volume_of(with_text(slices, unit.tag, unit.term)).description.units, unit.shown)
         << unit.term;
   }
+}
+
+/// As of diffusion coefficients; the windows of such a file are of its stored values.
+TEST(DicomValues, ARealWorldMappingCountsWhereThereIsNoRescale) {
+  DicomSlice like;
+  like.modality = "MR";
+  like.mapping = {.slope = 0.5, .intercept = -10, .unit = "mm2/s"};
+  for (int i = 0; i < 16; ++i) like.stored.push_back(static_cast<std::int16_t>(100 * i));
+  like.texts = {{{0x0028, 0x1050}, "800"}, {{0x0028, 0x1051}, "400"}};
+  const Volume rescaled = volume_of(slices_of(2, like));
+  EXPECT_EQ(value_at(rescaled, {3, 3, 1}), 1500) << "the rescale holds";
+  like.has_rescale = false;
+  const Volume mapped = volume_of(slices_of(2, like));
+  EXPECT_EQ(value_at(mapped, {3, 3, 1}), 740);
+  EXPECT_EQ(mapped.description.units, "mm2/s");
+  EXPECT_EQ(mapped.description.window, (ValueRange{290, 490}));
 }
 
 TEST(DicomValues, FloatAndDoublePixelsAreRead) {

@@ -95,7 +95,18 @@ void put_table(gdcm::DataSet& data, const DicomTable& table) {
   put_sequence(data, {0x0028, 0x3000}, {item});
 }
 
+void put_mapping(gdcm::DataSet& data, const DicomMapping& mapping) {
+  gdcm::DataSet unit;
+  put_text(unit, {0x0008, 0x0100}, gdcm::VR::SH, mapping.unit);
+  gdcm::DataSet item;
+  put_sequence(item, {0x0040, 0x08ea}, {unit});
+  put_bytes(item, {0x0040, 0x9224}, gdcm::VR::FD, bytes_of_numbers<double>({mapping.intercept}));
+  put_bytes(item, {0x0040, 0x9225}, gdcm::VR::FD, bytes_of_numbers<double>({mapping.slope}));
+  put_sequence(data, {0x0040, 0x9096}, {item});
+}
+
 void put_values(gdcm::DataSet& data, const DicomSlice& slice) {
+  if (slice.mapping.slope != 0) put_mapping(data, slice.mapping);
   if (!slice.table.entries.empty()) {
     put_table(data, slice.table);
   } else if (slice.has_rescale) {

@@ -28,6 +28,13 @@ struct DicomTable {
   std::string type;
 };
 
+/// A linear Real World Value Mapping; none where the slope is 0.
+struct DicomMapping {
+  double slope = 0.0;
+  double intercept = 0.0;
+  std::string unit;
+};
+
 struct DicomSlice {
   std::string series_uid = "1.2.826.1";
   std::string modality = "CT";
@@ -44,6 +51,7 @@ struct DicomSlice {
   std::vector<float> floats;         ///< in their place: Float Pixel Data
   std::vector<double> doubles;       ///< likewise: Double Float Pixel Data
   DicomTable table;                  ///< where it has entries, in place of a rescale
+  DicomMapping mapping;
   bool has_rescale = true;
   std::string storage_class;  ///< "": that of a CT image
   std::map<DicomTag, std::string>
