@@ -36,11 +36,11 @@ struct GridPlan {
 };
 
 /// Slices at even distances and straight above each other become the grid itself. Gantry tilt,
-/// distances that change and gaps of up to four slices give a grid to resample to, and warnings that
-/// say so. Throws Error naming `file` where no such grid is right: spacing or direction that is not
-/// finite or not positive, rows and columns not at right angles, slices that coincide or run back,
-/// a larger gap, a place farther from the origin than a scene's camera can be, an output beyond the
-/// limit at `bytes_per_voxel`.
+/// distances that change and gaps of up to four slices give a grid to resample to, and warnings
+/// that say so. Throws Error naming `file` where no such grid is right: spacing or direction that
+/// is not finite or not positive, rows and columns not at right angles, slices that coincide or run
+/// back, a larger gap, a place farther from the origin than a scene's camera can be, an output
+/// beyond the limit at `bytes_per_voxel`.
 GridPlan plan_grid(const std::filesystem::path& file, const SliceStack& stack,
                    std::uint64_t bytes_per_voxel, const ImportLimits& limits);
 

@@ -8,6 +8,7 @@
 #include "import/decode_memory.h"
 #include "import/dicom/pixels.h"
 #include "import/dicom/series.h"
+#include "import/dicom/transfer_syntax.h"
 #include "import/dicom/window.h"
 #include "import/formats.h"
 #include "import/refusal.h"
@@ -155,7 +156,8 @@ DicomGroup group_of(const VolumeSource& source, const ReadContext& context) {
   refuse(source.files.front(), "the series changed while it was read");
 }
 
-/// What one turn decodes: slices of the volume that lie in one file, not all of a file of many.
+/// What one turn decodes: slices of the volume that lie in one file; not all of a file of many,
+/// unless it is unpacked as a whole.
 std::vector<std::vector<std::size_t>> turns_of(const DicomGroup& group) {
   constexpr std::size_t kMostSlices = 32;
   std::map<fs::path, std::vector<std::size_t>> by_file;
@@ -163,8 +165,10 @@ std::vector<std::vector<std::size_t>> turns_of(const DicomGroup& group) {
     by_file[group.frames[k].image->file].push_back(k);
   std::vector<std::vector<std::size_t>> turns;
   for (const auto& [file, slices] : by_file) {
+    const bool is_whole =
+        is_unpacked_as_a_whole(group.frames[slices.front()].image->transfer_syntax);
     for (std::size_t i = 0; i < slices.size(); ++i) {
-      if (i % kMostSlices == 0) turns.emplace_back();
+      if (i == 0 || (i % kMostSlices == 0 && !is_whole)) turns.emplace_back();
       turns.back().push_back(slices[i]);
     }
   }

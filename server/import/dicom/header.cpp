@@ -7,6 +7,7 @@
 #include "import/data_root.h"
 #include "import/dicom/deflated.h"
 #include "import/dicom/element_head.h"
+#include "import/dicom/transfer_syntax.h"
 #include "import/refusal.h"
 
 namespace cutaway::reading {
@@ -15,7 +16,6 @@ namespace {
 
 constexpr std::uint64_t kMarkOffset = 128;
 constexpr std::string_view kMark = "DICM";
-constexpr std::string_view kDeflated = "1.2.840.10008.1.2.1.99";
 constexpr int kDeepest = 128;
 constexpr std::size_t kMostElements = 400'000;
 
@@ -40,9 +40,9 @@ class HeaderWalk {
       : source_(source), most_unpacked_bytes_(most_unpacked_bytes) {}
 
   DicomHeader run() {
-    offset_ = has_mark(source_) ? kMarkOffset + kMark.size() : 0;
+    require_begin();
     pass_file_header();
-    if (header_.transfer_syntax == kDeflated) unpack();
+    if (is_unpacked_as_a_whole(header_.transfer_syntax)) unpack();
     find_encoding();
     pass_elements({.end = source_.size(), .is_top = true}, &header_.data);
     header_.is_big_endian = encoding_.is_big_endian;
@@ -57,6 +57,20 @@ class HeaderWalk {
     bool is_top = false;
     int depth = 0;
   };
+
+  /// Behind the mark; or at the first byte where a low group stands there.
+  void require_begin() {
+    if (has_mark(source_)) {
+      offset_ = kMarkOffset + kMark.size();
+      return;
+    }
+    const std::string_view front = source_.peek(0, 2);
+    const std::uint32_t group =
+        std::min(number_of_bytes(front, false), number_of_bytes(front, true));
+    if (group >= 2 && group <= 0x28) return;
+    if (source_.size() < kMarkOffset + kMark.size()) require_bytes(kMarkOffset + kMark.size());
+    refuse(source_.file(), "this is no DICOM file", "DICM behind a preamble of 128 bytes");
+  }
 
   /// Group 0002, always in explicit VR and little endian. A file may not end behind it either.
   void pass_file_header() {

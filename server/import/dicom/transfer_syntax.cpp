@@ -17,11 +17,13 @@ struct Syntax {
   std::optional<PixelPacking> packing = {};  ///< nothing where it is not read
 };
 
+constexpr std::string_view kDeflated = "1.2.840.10008.1.2.1.99";
+
 constexpr std::array kSyntaxes{
     Syntax{"1.2.840.10008.1.2", "implicit VR, little endian", PixelPacking::plain},
     Syntax{"1.2.840.10008.1.2.1", "explicit VR, little endian", PixelPacking::plain},
     Syntax{"1.2.840.10008.1.2.2", "explicit VR, big endian", PixelPacking::plain},
-    Syntax{"1.2.840.10008.1.2.1.99", "deflated", PixelPacking::plain},
+    Syntax{kDeflated, "deflated", PixelPacking::plain},
     Syntax{"1.2.840.113619.5.2", "GE's own, big-endian pixels", PixelPacking::plain},
     Syntax{"1.2.840.10008.1.20", "Papyrus 3", PixelPacking::plain},
     Syntax{"1.2.840.10008.1.2.5", "RLE", PixelPacking::rle},
@@ -109,6 +111,8 @@ PixelPacking required_packing(const std::filesystem::path& file, std::string_vie
   }
   return *syntax->packing;
 }
+
+bool is_unpacked_as_a_whole(std::string_view uid) { return uid == kDeflated; }
 
 bool has_big_endian_pixels(std::string_view uid) { return uid == "1.2.840.113619.5.2"; }
 

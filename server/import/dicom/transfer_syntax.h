@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace cutaway::reading {
@@ -16,6 +17,9 @@ std::string syntax_in_words(std::string_view uid);
 /// syntax contradicts the way in which they lie in the file.
 PixelPacking required_packing(const std::filesystem::path& file, std::string_view uid,
                               bool is_in_fragments);
+
+/// Deflated, from the first element to the last.
+bool is_unpacked_as_a_whole(std::string_view uid);
 
 /// GE's own syntax, whose header is little and whose pixels are big-endian.
 bool has_big_endian_pixels(std::string_view uid);

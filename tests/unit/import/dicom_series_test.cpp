@@ -142,6 +142,18 @@ TEST(Dicom, OneMissingSliceIsCalledOne) {
   EXPECT_TRUE(has_warning(read_only_volume(folder.path()).description, "1 slice is missing"));
 }
 
+/// Fine at first, and every eighth millimetre then: several gaps in a row are no hole.
+TEST(Dicom, AWideSpacingBehindAFineOneIsRead) {
+  auto slices = ramp_series(10, {0, 0, 0}, {0, 0, 1});
+  for (const auto& slice : ramp_series(5, {0, 0, 17}, {0, 0, 8})) slices.push_back(slice);
+  TemporaryFolder folder;
+  write_series(folder.path(), slices);
+  const Volume volume = read_only_volume(folder.path());
+  EXPECT_TRUE(has_warning(volume.description, "changes from 1 to 8 mm"));
+  EXPECT_EQ(volume.geometry.size_voxels.z, 50);
+  expect_ramp(volume, 0.6);
+}
+
 TEST(Dicom, AWideGapIsRefused) {
   std::vector<DicomSlice> slices = ramp_series(20, {0, 0, 0}, {0, 0, 1});
   slices.erase(slices.begin() + 6, slices.begin() + 14);
