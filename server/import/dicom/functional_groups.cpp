@@ -12,7 +12,7 @@ namespace {
 
 constexpr DicomTag kPerFrame = 0x52009230;
 constexpr DicomTag kShared = 0x52009229;
-constexpr std::size_t kMostFrames = 65536;
+constexpr std::size_t kMostFrames = 32768;  // as many slices as a volume may have
 
 /// The data sets in which a frame's values may stand, the nearest first.
 class FrameGroups {
