@@ -67,13 +67,20 @@ std::string plain_name(const std::string& name) {
   return plain;
 }
 
+/// "7" and "07" are one.
+std::string series_number(const DataSet& data) {
+  constexpr DicomTag kSeriesNumber = 0x00200011;
+  const auto numbers = data.decimals(kSeriesNumber);
+  return are_finite(numbers, 1) ? number_in_words(numbers.front()) : data.text(kSeriesNumber);
+}
+
 /// Series without an identifier are told apart by their folders.
 std::array<std::string, kIdentities> identity_of(const fs::path& file, const DataSet& data) {
   const std::string series = data.text(0x0020000e);
   const bool is_localizer = data.text(kImageType).find("LOCALIZER") != std::string::npos;
   return {data.text(0x00100020), plain_name(data.text(0x00100010)),
           data.text(0x0020000d), series.empty() ? folder_of(file) : series,
-          data.text(0x00200011), data.text(0x00200052),
+          series_number(data),   data.text(0x00200052),
           data.text(kModality),  is_localizer ? "localizer" : "",
           data.text(0x00181210)};
 }

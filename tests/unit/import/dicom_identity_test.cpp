@@ -78,10 +78,14 @@ TEST(DicomIdentities, ThatDifferAtEachSliceTellNothing) {
   }
 }
 
-TEST(DicomIdentities, ThatAreMissingInSomeSlicesDoNotPartThem) {
+TEST(DicomIdentities, ThatAreMissingOrWrittenInAnotherWayDoNotPartSlices) {
   auto slices = with_text(ramp_series(6, {0, 0, 0}, {0, 0, 2}), kFrameOfReference, "1.5");
   slices[2].texts[kFrameOfReference] = "";
   slices[4].texts[kPatient] = "";
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    slices[k].texts[kSeriesNumber] = k % 2 == 0 ? "7" : "07";
+    slices[k].texts[{0x0010, 0x0010}] = k % 2 == 0 ? "Miller^Ann^^" : "MILLER^ANN";
+  }
   TemporaryFolder folder;
   write_series(folder.path(), slices);
   EXPECT_EQ(read_only_volume(folder.path()).geometry.size_voxels.z, 6);
