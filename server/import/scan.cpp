@@ -6,6 +6,7 @@
 #include "core/check.h"
 #include "import/data_root.h"
 #include "import/dicom/frame.h"
+#include "import/dicom/header.h"
 #include "import/formats.h"
 #include "import/grids/grid_file.h"
 #include "import/pictures/image_file.h"
@@ -118,7 +119,7 @@ class Walk {
   FileKind kind_of(const fs::path& file) const {
     const FileKind kind = kind_by_name(file);
     if (kind != FileKind::none) return kind;
-    const bool marked = context_.given_up.contains(file) || has_dicom_magic(file);
+    const bool marked = context_.given_up.contains(file) || looks_like_dicom(file);
     return marked ? FileKind::dicom : FileKind::none;
   }
 

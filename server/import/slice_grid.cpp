@@ -7,17 +7,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "import/slice_spacing.h"
+
 namespace cutaway::reading {
 
 namespace {
 
-// Header decimals are often rounded to 0.1 or 0.01 mm; what they cannot explain is a real
-// irregularity.
-constexpr double kHeightTolerance = 0.05;  // of the slice distance
-constexpr double kHeightToleranceMm = 0.011;
+// What the digits of a header cannot explain is a real irregularity.
 constexpr double kShiftTolerancePx = 0.1;
-constexpr double kAxisTolerance = 1e-3;    // of length and of the cosine between axes
-constexpr double kLargestGapSlices = 4.5;  // in median slice distances: a gap of four still counts
+constexpr double kAxisTolerance = 1e-3;  // of length and of the cosine between axes
 
 bool is_finite(glm::dvec3 v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -71,48 +69,9 @@ std::vector<double> heights_mm(const SliceStack& stack, const glm::dmat3& axes) 
   return heights;
 }
 
-std::vector<double> gaps_between(const std::vector<double>& heights) {
-  std::vector<double> gaps;
-  for (std::size_t i = 1; i < heights.size(); ++i) gaps.push_back(heights[i] - heights[i - 1]);
-  return gaps;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-void require_gaps(const std::filesystem::path& file, const std::vector<double>& gaps,
-                  double typical_mm) {
-  const auto [smallest, largest] = std::minmax_element(gaps.begin(), gaps.end());
-  if (!(*smallest > 1e-4)) {
-    refuse(file, "slices coincide or run back", "slices one behind the other",
-           fmt::format("a step of {:.4g} mm", *smallest));
-  }
-  if (*largest > kLargestGapSlices * typical_mm) {
-    refuse(file, "too many slices are missing in one place",
-           fmt::format("gaps of at most {:.4g} mm", kLargestGapSlices * typical_mm),
-           fmt::format("a gap of {:.4g} mm among slices {:.4g} mm apart", *largest, typical_mm));
-  }
-}
-
-bool evenly_spaced(const std::vector<double>& heights, double step_mm) {
-  const double tolerance = std::max(kHeightTolerance * step_mm, kHeightToleranceMm);
-  for (std::size_t k = 0; k < heights.size(); ++k) {
-    if (std::abs(heights[k] - static_cast<double>(k) * step_mm) > tolerance) return false;
-  }
-  return true;
-}
-
-std::string uneven_warning(const std::vector<double>& gaps, double step_mm) {
-  const auto [smallest, largest] = std::minmax_element(gaps.begin(), gaps.end());
-  int missing = 0;
-  for (const double gap : gaps) missing += static_cast<int>(std::lround(gap / step_mm)) - 1;
-  const std::string what = missing > 0 ? fmt::format("{} slices are missing", missing)
-                                       : std::string("slices are unevenly spaced");
-  return fmt::format("{} ({:.4g} to {:.4g} mm apart); resampled to {:.4g} mm", what, *smallest,
-                     *largest, step_mm);
+/// Two places are each off by as much as a digit leaves open along any direction.
+double position_tolerance_mm(const SliceStack& stack) {
+  return 2 * std::sqrt(3.0) * stack.position_error_mm;
 }
 
 std::vector<glm::dvec2> shifts_px(const SliceStack& stack, const glm::dmat3& axes) {
@@ -129,34 +88,43 @@ std::vector<glm::dvec2> shifts_px(const SliceStack& stack, const glm::dmat3& axe
 /// Sets the slices' places along k and the spacing between slices; true where the grid has to be
 /// resampled.
 bool place_along_k(const std::filesystem::path& file, const std::vector<double>& heights,
-                   GridPlan& plan) {
-  const std::vector<double> gaps = gaps_between(heights);
-  double step_mm = heights.back() / static_cast<double>(heights.size() - 1);
-  const double typical_mm = median(gaps);
-  require_gaps(file, gaps, typical_mm);
-  const bool even = evenly_spaced(heights, step_mm);
-  if (!even) {
-    step_mm = typical_mm;
-    plan.warnings.push_back(uneven_warning(gaps, step_mm));
-  }
+                   double tolerance_mm, GridPlan& plan) {
+  const SliceSpacing spacing = spacing_of(file, heights, tolerance_mm);
+  if (!spacing.is_even) plan.warnings.push_back(spacing.warning);
   for (std::size_t k = 0; k < heights.size(); ++k) {
-    plan.placements[k].height = even ? static_cast<double>(k) : heights[k] / step_mm;
+    plan.placements[k].height =
+        spacing.is_even ? static_cast<double>(k) : heights[k] / spacing.step_mm;
   }
-  plan.geometry.spacing_mm.z = step_mm;
+  plan.geometry.spacing_mm.z = spacing.step_mm;
   // A last fraction of a step is kept: the grid reaches at least as far as the slices.
+  constexpr double kFractionLeftOut = 0.05;
   plan.geometry.size_voxels.z =
-      even ? static_cast<int>(heights.size())
-           : static_cast<int>(std::ceil(heights.back() / step_mm - kHeightTolerance)) + 1;
-  return !even;
+      spacing.is_even
+          ? static_cast<int>(heights.size())
+          : static_cast<int>(std::ceil(heights.back() / spacing.step_mm - kFractionLeftOut)) + 1;
+  return !spacing.is_even;
 }
 
-std::string tilt_warning(const SliceStack& stack, const glm::dmat3& axes) {
+/// A tilt of the gantry, where a line through the slices' corners leans; else they lie about it.
+std::string tilt_warning(const SliceStack& stack, const glm::dmat3& axes, glm::dvec2 spread_px) {
   const glm::dvec3 climb = stack.first_pixel_mm.back() - stack.first_pixel_mm.front();
   const double rise = glm::dot(climb, axes[2]);
   const double degrees =
       std::acos(std::clamp(rise / glm::length(climb), -1.0, 1.0)) * 180 / std::numbers::pi;
+  if (degrees >= 0.05) {
+    return fmt::format(
+        "slices are sheared by {:.1f} degrees (gantry tilt); resampled to a right grid", degrees);
+  }
+  const glm::dvec2 spread_mm = spread_px * stack.pixel_spacing_mm;
   return fmt::format(
-      "slices are sheared by {:.1f} degrees (gantry tilt); resampled to a right grid", degrees);
+      "slices are shifted against each other by up to {:.2g} mm; resampled to a right grid",
+      std::max(spread_mm.x, spread_mm.y));
+}
+
+/// What digits, of positions and over the stack's height of directions, leave open.
+double shift_tolerance_mm(const SliceStack& stack) {
+  const double height = glm::length(stack.first_pixel_mm.back() - stack.first_pixel_mm.front());
+  return position_tolerance_mm(stack) + 2 * stack.axis_error * height;
 }
 
 /// Sets the slices' places along i and j and widens the grid to hold them all.
@@ -171,7 +139,9 @@ bool place_in_plane(const SliceStack& stack, const glm::dmat3& axes, GridPlan& p
     high = glm::max(high, shift);
   }
   const glm::dvec2 spread = high - low;
-  if (std::max(spread.x, spread.y) <= kShiftTolerancePx) return false;
+  const glm::dvec2 tolerance =
+      glm::max(glm::dvec2(kShiftTolerancePx), shift_tolerance_mm(stack) / stack.pixel_spacing_mm);
+  if (spread.x <= tolerance.x && spread.y <= tolerance.y) return false;
   const glm::dvec2 first = glm::floor(low);
   const glm::dvec2 added = glm::min(glm::ceil(high) - first, glm::dvec2(1e6));
   plan.geometry.size_voxels.x += static_cast<int>(added.x);
@@ -179,7 +149,7 @@ bool place_in_plane(const SliceStack& stack, const glm::dmat3& axes, GridPlan& p
   plan.geometry.origin_patient_mm += axes[0] * (first.x * stack.pixel_spacing_mm.x) +
                                      axes[1] * (first.y * stack.pixel_spacing_mm.y);
   for (std::size_t k = 0; k < shifts.size(); ++k) plan.placements[k].shift_px = shifts[k] - first;
-  plan.warnings.push_back(tilt_warning(stack, axes));
+  plan.warnings.push_back(tilt_warning(stack, axes, spread));
   return true;
 }
 
@@ -198,7 +168,8 @@ GridPlan plan_grid(const std::filesystem::path& file, const SliceStack& stack,
   plan.geometry.direction_patient = axes;
   plan.geometry.origin_patient_mm = stack.first_pixel_mm.front();
   plan.geometry.spacing_mm = {stack.pixel_spacing_mm, 1.0};
-  const bool uneven = place_along_k(file, heights_mm(stack, axes), plan);
+  const bool uneven =
+      place_along_k(file, heights_mm(stack, axes), position_tolerance_mm(stack), plan);
   const bool tilted = place_in_plane(stack, axes, plan);
   plan.needs_resampling = uneven || tilted;
   const glm::ivec3 size = plan.geometry.size_voxels;

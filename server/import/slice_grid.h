@@ -17,7 +17,9 @@ struct SliceStack {
   glm::dvec3 i_axis{1, 0, 0};        ///< unit
   glm::dvec3 j_axis{0, 1, 0};        ///< unit
   std::vector<glm::dvec3>
-      first_pixel_mm;  ///< centre of pixel (0,0), one a slice, in stacking order
+      first_pixel_mm;              ///< centre of pixel (0,0), one a slice, in stacking order
+  double position_error_mm = 0.0;  ///< of each coordinate, as the file's digits leave it open
+  double axis_error = 0.0;         ///< of each cosine, likewise
 };
 
 /// Where one slice lies in the output grid, in voxels of it.
@@ -34,11 +36,11 @@ struct GridPlan {
 };
 
 /// Slices at even distances and straight above each other become the grid itself. Gantry tilt,
-/// uneven distances and gaps of up to four slices give a grid to resample to, and warnings that say
-/// so. Throws Error naming `file` where no such grid is right: spacing or direction that is not
-/// finite or not positive, rows and columns not at right angles, slices that coincide or run back,
-/// a larger gap, a place farther from the origin than a scene's camera can be, an output beyond the
-/// limit at `bytes_per_voxel`.
+/// distances that change and gaps of up to four slices give a grid to resample to, and warnings
+/// that say so. Throws Error naming `file` where no such grid is right: spacing or direction that
+/// is not finite or not positive, rows and columns not at right angles, slices that coincide or run
+/// back, a larger gap, a place farther from the origin than a scene's camera can be, an output
+/// beyond the limit at `bytes_per_voxel`.
 GridPlan plan_grid(const std::filesystem::path& file, const SliceStack& stack,
                    std::uint64_t bytes_per_voxel, const ImportLimits& limits);
 

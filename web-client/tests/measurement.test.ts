@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { measurementsCsv, measurementsJson } from '../src/state/measurement_export.ts';
+import { resultText } from '../src/state/measure_text.ts';
 import { angleDegrees, resultOf, type Measurement } from '../src/view/measurement.ts';
 import {
   extended,
@@ -41,6 +42,12 @@ describe('what a measurement says', () => {
     expect(resultOf(angle, 'HU')?.value).toBeCloseTo(90);
     expect(resultOf(probe, 'HU')).toEqual({ value: -998.76543, unit: 'HU' });
     expect(resultOf(probe, 'none')?.unit).toBe('none');
+  });
+
+  it('shows values in whatever unit the volume has', () => {
+    expect(resultText({ value: -998.7, unit: 'HU' })).toBe('-999 HU');
+    expect(resultText({ value: 1234, unit: 'BQML' })).toBe('1,234 BQML');
+    expect(resultText({ value: 0.25, unit: 'none' })).toBe('0.2500');
   });
 
   it('is nothing while points are missing', () => {

@@ -8,6 +8,8 @@
 #include "import/decode_memory.h"
 #include "import/dicom/pixels.h"
 #include "import/dicom/series.h"
+#include "import/dicom/transfer_syntax.h"
+#include "import/dicom/window.h"
 #include "import/formats.h"
 #include "import/refusal.h"
 #include "volume/parallel.h"
@@ -18,67 +20,63 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// One number type for all planes, and one rescale; else each plane is rescaled as it is read, into
-/// floats.
+/// One number type for all planes, and one meaning of their values; else each plane is rescaled as
+/// it is read, into floats.
 bool is_uniform(const DicomGroup& group) {
   const DicomFrame& first = group.frames.front();
   return std::all_of(group.frames.begin(), group.frames.end(), [&](const DicomFrame& frame) {
-    return frame.component == first.component && frame.slope == first.slope &&
-           frame.intercept == first.intercept;
+    return frame.image->component == first.image->component && frame.meaning == first.meaning;
   });
 }
 
 bool declares_padding(const DicomGroup& group) {
   return std::any_of(group.frames.begin(), group.frames.end(),
-                     [](const DicomFrame& frame) { return frame.padding.has_value(); });
+                     [](const DicomFrame& frame) { return frame.image->padding.has_value(); });
 }
 
+/// A table gives 16 bits whatever it is given.
 Component voxel_type(const DicomGroup& group) {
-  return is_uniform(group) ? group.frames.front().component : Component::float32;
+  if (!is_uniform(group)) return Component::float32;
+  const DicomFrame& first = group.frames.front();
+  return first.meaning.table ? Component::uint16 : first.image->component;
 }
 
-/// All frames of a file are decoded together, also where the volume is made of a few of them.
-std::uint64_t decode_bytes(const DicomGroup& group) {
-  std::uint64_t bytes = 0;
-  for (const auto& frame : group.frames) {
-    const auto frame_bytes =
-        std::uint64_t(frame.size_px.x) * frame.size_px.y * component_bytes(frame.component);
-    bytes = std::max(bytes, frame_bytes * static_cast<std::uint64_t>(frame.frames_in_file));
-  }
-  return bytes;
-}
-
-void require_decodable(const DicomGroup& group, const ImportLimits& limits) {
-  const std::uint64_t bytes = decode_bytes(group);
-  if (bytes <= limits.volume_bytes) return;
-  throw Error({.code = "too-large",
-               .message = "the frames of one file are too large together",
-               .field = group.frames.front().file.string(),
-               .expected = "at most " + bytes_in_words(static_cast<double>(limits.volume_bytes)),
-               .received = bytes_in_words(static_cast<double>(bytes))});
+std::uint64_t frame_bytes(const DicomGroup& group) {
+  const DicomImage& image = *group.frames.front().image;
+  return std::uint64_t(image.size_px.x) * image.size_px.y * component_bytes(image.component);
 }
 
 GridPlan plan_group(const DicomGroup& group, const ImportLimits& limits) {
-  const fs::path& file = group.frames.front().file;
-  const glm::ivec2 size = group.frames.front().size_px;
+  const DicomImage& image = *group.frames.front().image;
+  if (image.is_localizer() && group.frames.size() < 2)
+    refuse(image.file, "this is a localizer, a view to plan the other series by, and no volume");
   const std::size_t bytes = component_bytes(voxel_type(group));
-  checked_voxel_count(
-      file,
-      std::array{std::int64_t(size.x), std::int64_t(size.y), std::int64_t(group.frames.size())},
-      bytes, limits);
-  require_decodable(group, limits);
-  return plan_grid(file, stack_of(group), bytes, limits);
+  checked_voxel_count(image.file,
+                      std::array{std::int64_t(image.size_px.x), std::int64_t(image.size_px.y),
+                                 std::int64_t(group.frames.size())},
+                      bytes, limits);
+  return plan_grid(image.file, stack_of(group), bytes, limits);
 }
 
 std::vector<fs::path> files_of(const DicomGroup& group) {
   std::set<fs::path> files;
-  for (const auto& frame : group.frames) files.insert(frame.file);
+  for (const auto& frame : group.frames) files.insert(frame.image->file);
   return {files.begin(), files.end()};
 }
 
-bool is_hounsfield(const DicomFrame& frame) {
-  return frame.modality == "CT" && !frame.is_localizer &&
-         (frame.rescale_type.empty() || frame.rescale_type.starts_with("HU"));
+/// Where slices measure different things there is no one unit.
+std::string units_of(const DicomGroup& group) {
+  const std::string& units = group.frames.front().meaning.units;
+  const bool are_same =
+      std::all_of(group.frames.begin(), group.frames.end(),
+                  [&](const DicomFrame& frame) { return frame.meaning.units == units; });
+  return are_same ? units : "none";
+}
+
+bool is_ct_without_rescale(const DicomGroup& group) {
+  const DicomFrame& first = group.frames.front();
+  return first.image->of(Identity::modality) == "CT" && !first.image->is_localizer() &&
+         !first.meaning.is_stated;
 }
 
 /// A file of its own goes by its name, a series by its folder.
@@ -87,19 +85,23 @@ fs::path place_of(const std::vector<fs::path>& files) {
 }
 
 VolumeDescription describe(const DicomGroup& group, const GridPlan& plan, const fs::path& root) {
-  const DicomFrame& first = group.frames.front();
+  const DicomImage& first = *group.frames.front().image;
   const fs::path place = place_of(files_of(group));
   VolumeDescription description;
   description.id = volume_id(place, root);
   description.title = first.title.empty() ? printable(place.filename().string()) : first.title;
   if (!group.label.empty()) description.title += " (" + group.label + ")";
   description.format = "DICOM";
-  description.modality = first.modality;
-  description.units = is_hounsfield(first) ? "HU" : "none";
-  description.window = first.window;
+  description.modality = first.of(Identity::modality);
+  description.units = units_of(group);
+  description.window = window_of_middle(group);
   description.warnings = group.warnings;
   description.warnings.insert(description.warnings.end(), plan.warnings.begin(),
                               plan.warnings.end());
+  if (is_ct_without_rescale(group)) {
+    description.warnings.emplace_back(
+        "the file gives no rescale, so that its values need not be Hounsfield units");
+  }
   if (first.low_is_bright) {
     description.warnings.emplace_back("the images are meant to be shown inverted (MONOCHROME1)");
   }
@@ -147,21 +149,40 @@ DicomGroup group_of(const VolumeSource& source, const ReadContext& context) {
     const auto read = static_cast<double>(i + 1) / static_cast<double>(source.files.size());
     if (context.progress) context.progress(LoadStage::read, read);
   }
-  DicomGrouping grouping = group_frames(std::move(frames));
+  DicomGrouping grouping = group_frames(std::move(frames), context.stop);
   for (auto& group : grouping.groups) {
     if (grouping.groups.size() == 1 || group.part == source.part) return std::move(group);
   }
   refuse(source.files.front(), "the series changed while it was read");
 }
 
-/// Which slices of the volume each file holds.
-std::vector<std::vector<std::size_t>> slices_by_file(const DicomGroup& group) {
+/// What one turn decodes: slices of the volume that lie in one file; not all of a file of many,
+/// unless it is unpacked as a whole.
+std::vector<std::vector<std::size_t>> turns_of(const DicomGroup& group) {
+  constexpr std::size_t kMostSlices = 32;
   std::map<fs::path, std::vector<std::size_t>> by_file;
-  for (std::size_t k = 0; k < group.frames.size(); ++k) by_file[group.frames[k].file].push_back(k);
-  std::vector<std::vector<std::size_t>> slices;
-  slices.reserve(by_file.size());
-  for (auto& [file, of_file] : by_file) slices.push_back(std::move(of_file));
-  return slices;
+  for (std::size_t k = 0; k < group.frames.size(); ++k)
+    by_file[group.frames[k].image->file].push_back(k);
+  std::vector<std::vector<std::size_t>> turns;
+  for (const auto& [file, slices] : by_file) {
+    const bool is_whole =
+        is_unpacked_as_a_whole(group.frames[slices.front()].image->transfer_syntax);
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+      if (i == 0 || (i % kMostSlices == 0 && !is_whole)) turns.emplace_back();
+      turns.back().push_back(slices[i]);
+    }
+  }
+  return turns;
+}
+
+/// Frames are decoded beside each other in half of what the volume itself takes, and a little.
+int threads_for(const DicomGroup& group) {
+  constexpr std::uint64_t kLittleBytes = std::uint64_t{48} << 20;
+  constexpr std::uint64_t kCopies = 4;  // packed, in the codec, as its picture, as bytes
+  const std::uint64_t frame = std::max<std::uint64_t>(frame_bytes(group), 1);
+  const std::uint64_t room = kLittleBytes + frame * group.frames.size() / 2;
+  const std::uint64_t fit = std::max<std::uint64_t>(room / (kCopies * frame), 1);
+  return static_cast<int>(std::min<std::uint64_t>(decode_threads(frame), fit));
 }
 
 struct Decoded {
@@ -170,25 +191,24 @@ struct Decoded {
 };
 
 Decoded decode(const DicomGroup& group, const ReadContext& context) {
-  const glm::ivec2 size = group.frames.front().size_px;
+  const glm::ivec2 size = group.frames.front().image->size_px;
   const std::size_t slice_voxels = std::size_t(size.x) * size.y;
   Decoded decoded{make_raw_voxels(voxel_type(group), slice_voxels * group.frames.size()), {}};
   if (declares_padding(group)) decoded.padding.resize(count_of(decoded.voxels));
-  const auto by_file = slices_by_file(group);
-  const auto decode_file = [&](int i) {
-    const auto& slices = by_file[static_cast<std::size_t>(i)];
-    const DicomFrame& any = group.frames[slices.front()];
-    const DicomPixels pixels(any, static_cast<std::size_t>(any.frames_in_file));
+  const auto turns = turns_of(group);
+  const auto decode_turn = [&](int i) {
+    const auto& slices = turns[static_cast<std::size_t>(i)];
+    PixelFile pixels(group.frames[slices.front()].image);
     for (const std::size_t k : slices)
-      pixels.store(group.frames[k], k * slice_voxels, decoded.voxels, decoded.padding);
+      store_frame(pixels, group.frames[k], k * slice_voxels, decoded.voxels, decoded.padding);
   };
   const auto report = [&](double fraction) {
     if (context.progress) context.progress(LoadStage::decode, fraction);
   };
-  run_parallel({.count = static_cast<int>(by_file.size()),
-                .turn = decode_file,
+  run_parallel({.count = static_cast<int>(turns.size()),
+                .turn = decode_turn,
                 .progress = report,
-                .threads = decode_threads(decode_bytes(group))},
+                .threads = threads_for(group)},
                context.stop);
   return decoded;
 }
@@ -199,14 +219,14 @@ Listing find_dicom(std::span<const fs::path> files, const ScanContext& context) 
   Listing listing;
   std::vector<DicomFrame> frames = read_headers(files, context, listing.refused);
   if (context.on_grouping) context.on_grouping();
-  DicomGrouping grouping = group_frames(std::move(frames));
+  DicomGrouping grouping = group_frames(std::move(frames), context.stop);
   std::vector<Found> found;
   for (const auto& group : grouping.groups) {
     try {
       const GridPlan plan = plan_group(group, context.limits);
       found.push_back({{describe(group, plan, context.root), plan.geometry, files_of(group),
-                        group.part, decode_bytes(group)},
-                       group.frames.front().series_uid});
+                        group.part, frame_bytes(group)},
+                       group.frames.front().image->of(Identity::series)});
     } catch (const Error& error) {
       listing.refused.push_back({place_of(files_of(group)), reason_of(error)});
     }
@@ -223,9 +243,10 @@ RawVolume read_dicom(const VolumeSource& source, const ReadContext& context) {
   RawVolume raw;
   raw.description = source.description;
   raw.geometry = plan.geometry;
-  if (is_uniform(group)) {
-    raw.slope = group.frames.front().slope;
-    raw.intercept = group.frames.front().intercept;
+  const ValueMeaning& meaning = group.frames.front().meaning;
+  if (is_uniform(group) && !meaning.table) {
+    raw.slope = meaning.slope;
+    raw.intercept = meaning.intercept;
   }
   Decoded decoded = decode(group, context);
   raw.voxels = std::move(decoded.voxels);
@@ -235,6 +256,7 @@ RawVolume read_dicom(const VolumeSource& source, const ReadContext& context) {
     raw.description.warnings.push_back(fmt::format(
         "{} pixels are padding outside of the image; each was set to the smallest value", padded));
   }
+  leave_out_useless_window(raw);
   if (plan.needs_resampling)
     raw.voxels = resample(raw.voxels, stack_of(group), plan, raw.slope, context.stop);
   return raw;

@@ -3,123 +3,134 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "import/dicom/dataset.h"
+#include "import/dicom/placement.h"
 #include "import/refusal.h"
 
 namespace cutaway::reading {
 
 namespace {
 
-/// A macro of a frame: in its own groups, else in the shared ones.
+constexpr DicomTag kPerFrame = 0x52009230;
+constexpr DicomTag kShared = 0x52009229;
+constexpr std::size_t kMostFrames = 32768;  // as many slices as a volume may have
+
+/// The data sets in which a frame's values may stand, the nearest first.
 class FrameGroups {
  public:
-  FrameGroups(const gdcm::DataSet& shared, const gdcm::DataSet& own) : shared_(shared), own_(own) {}
+  FrameGroups(const DataSet& data, const std::optional<DataSet>& shared, const DataSet& own)
+      : data_(data), shared_(shared), own_(own) {}
 
-  std::optional<gdcm::DataSet> macro(std::uint16_t group, std::uint16_t element) const {
-    if (auto item = first_item_at(own_, group, element)) return item;
-    return first_item_at(shared_, group, element);
+  /// A macro of the frame's own, else of the shared ones.
+  std::optional<DataSet> macro(DicomTag tag) const {
+    if (auto item = own_.first_item(tag)) return item;
+    return shared_ ? shared_->first_item(tag) : std::nullopt;
   }
 
-  std::vector<double> decimals(std::uint16_t group, std::uint16_t element,
-                               std::uint16_t value_group, std::uint16_t value_element) const {
-    const auto item = macro(group, element);
-    return item ? decimals_at(*item, value_group, value_element) : std::vector<double>();
+  std::vector<DataSet> of(std::initializer_list<DicomTag> macros) const {
+    std::vector<DataSet> found;
+    for (const DicomTag tag : macros) {
+      if (auto item = macro(tag)) found.push_back(*item);
+    }
+    found.push_back(data_);
+    return found;
   }
 
-  std::string binary_text(std::uint16_t group, std::uint16_t element, std::uint16_t value_group,
-                          std::uint16_t value_element) const {
-    const auto item = macro(group, element);
-    const auto value = item ? binary_at(*item, value_group, value_element) : std::nullopt;
+  /// Those that hold a sequence themselves.
+  std::vector<DataSet> levels() const {
+    std::vector<DataSet> found{own_};
+    if (shared_) found.push_back(*shared_);
+    return found;
+  }
+
+  std::string number(DicomTag macro_tag, DicomTag tag) const {
+    const auto item = macro(macro_tag);
+    const auto value = item ? item->binary(tag) : std::nullopt;
     return value ? number_in_words(*value) : std::string();
   }
 
-  std::string text(std::uint16_t group, std::uint16_t element, std::uint16_t value_group,
-                   std::uint16_t value_element) const {
-    const auto item = macro(group, element);
-    return item ? text_at(*item, value_group, value_element) : std::string();
+  std::string text(DicomTag macro_tag, DicomTag tag) const {
+    const auto item = macro(macro_tag);
+    return item ? item->text(tag) : std::string();
   }
 
  private:
-  const gdcm::DataSet& shared_;
-  const gdcm::DataSet& own_;
+  const DataSet& data_;
+  const std::optional<DataSet>& shared_;
+  const DataSet& own_;
 };
-
-void require_count(const DicomFrame& frame, const std::vector<double>& numbers, std::size_t count,
-                   const char* name) {
-  if (are_finite(numbers, count)) return;
-  refuse(frame.file, fmt::format("frame {} has no usable {}", frame.index + 1, name),
-         fmt::format("{} finite numbers", count), fmt::format("{}", fmt::join(numbers, ", ")));
-}
-
-void place_frame(DicomFrame& frame, const FrameGroups& groups) {
-  const auto position = groups.decimals(0x0020, 0x9113, 0x0020, 0x0032);
-  const auto axes = groups.decimals(0x0020, 0x9116, 0x0020, 0x0037);
-  const auto spacing = groups.decimals(0x0028, 0x9110, 0x0028, 0x0030);
-  require_count(frame, position, 3, "ImagePositionPatient");
-  require_count(frame, axes, 6, "ImageOrientationPatient");
-  require_count(frame, spacing, 2, "PixelSpacing");
-  frame.position_mm = {position[0], position[1], position[2]};
-  frame.row_axis = {axes[0], axes[1], axes[2]};
-  frame.column_axis = {axes[3], axes[4], axes[5]};
-  frame.spacing_mm = {spacing[1], spacing[0]};
-}
-
-void rescale_frame(DicomFrame& frame, const FrameGroups& groups) {
-  const auto slope = groups.decimals(0x0028, 0x9145, 0x0028, 0x1053);
-  const auto intercept = groups.decimals(0x0028, 0x9145, 0x0028, 0x1052);
-  if (!slope.empty()) frame.slope = slope.front();
-  if (!intercept.empty()) frame.intercept = intercept.front();
-  const std::string type = groups.text(0x0028, 0x9145, 0x0028, 0x1054);
-  if (!type.empty()) frame.rescale_type = type;
-}
 
 std::string& key(DicomFrame& frame, PlaneKey which) {
   return frame.keys.at(static_cast<std::size_t>(which));
 }
 
-/// Frame content, MR echo, MR diffusion, cardiac synchronisation, and the frame types of CT, MR and
-/// PET.
+/// Frame content, MR echo, MR diffusion, cardiac synchronisation, CT exposure, and the frame types
+/// of CT, MR and PET.
 void key_frame(DicomFrame& frame, const FrameGroups& groups) {
-  key(frame, PlaneKey::temporal_position) = groups.binary_text(0x0020, 0x9111, 0x0020, 0x9128);
-  key(frame, PlaneKey::stack) = groups.text(0x0020, 0x9111, 0x0020, 0x9056);
-  key(frame, PlaneKey::acquisition_number) = groups.binary_text(0x0020, 0x9111, 0x0020, 0x9156);
-  key(frame, PlaneKey::acquisition_time) = groups.text(0x0020, 0x9111, 0x0018, 0x9074);
-  key(frame, PlaneKey::echo_time) = groups.binary_text(0x0018, 0x9114, 0x0018, 0x9082);
-  key(frame, PlaneKey::b_value) = groups.binary_text(0x0018, 0x9117, 0x0018, 0x9087);
-  key(frame, PlaneKey::trigger_time) = groups.binary_text(0x0018, 0x9118, 0x0020, 0x9153);
-  constexpr std::array<std::uint16_t, 3> kFrameTypes{0x9226, 0x9329, 0x9751};
-  for (const std::uint16_t macro : kFrameTypes) {
-    const std::string type = groups.text(0x0018, macro, 0x0008, 0x9007);
+  key(frame, PlaneKey::temporal_position) = groups.number(0x00209111, 0x00209128);
+  key(frame, PlaneKey::stack) = groups.text(0x00209111, 0x00209056);
+  key(frame, PlaneKey::acquisition_number) = groups.number(0x00209111, 0x00209156);
+  key(frame, PlaneKey::acquisition_time) = groups.text(0x00209111, 0x00189074);
+  key(frame, PlaneKey::echo_time) = groups.number(0x00189114, 0x00189082);
+  key(frame, PlaneKey::b_value) = groups.number(0x00189117, 0x00189087);
+  key(frame, PlaneKey::trigger_time) = groups.number(0x00189118, 0x00209153);
+  key(frame, PlaneKey::cardiac_phase) = groups.number(0x00189118, 0x00209241);
+  key(frame, PlaneKey::tube_voltage) = groups.text(0x00189325, 0x00180060);
+  if (const auto diffusion = groups.macro(0x00189117)) {
+    if (const auto gradient = diffusion->first_item(0x00189076))
+      key(frame, PlaneKey::gradient_direction) =
+          fmt::format("{}", fmt::join(gradient->binaries(0x00189089), ", "));
+  }
+  constexpr std::array<DicomTag, 3> kFrameTypes{0x00189226, 0x00189329, 0x00189751};
+  for (const DicomTag macro : kFrameTypes) {
+    const std::string type = groups.text(macro, 0x00089007);
     if (!type.empty()) key(frame, PlaneKey::image_type) = type;
   }
 }
 
-}  // namespace
-
-bool has_functional_groups(const gdcm::DataSet& data) {
-  return data.FindDataElement(gdcm::Tag(0x5200, 0x9230));
+DicomFrame enhanced_frame(const std::shared_ptr<const DicomImage>& image, std::size_t index,
+                          const DataSet& data, const FrameGroups& groups) {
+  DicomFrame frame;
+  frame.image = image;
+  frame.index = static_cast<int>(index);
+  place(frame, fmt::format("frame {}", index + 1), groups.of({0x00209113, 0x00209116, 0x00289110}));
+  std::vector<DataSet> values = groups.levels();
+  for (const auto& group : groups.of({0x00289145})) values.push_back(group);
+  const bool is_hounsfield = image->of(Identity::modality) == "CT" && !image->is_localizer();
+  frame.meaning = value_meaning(image->file, data, values, is_hounsfield);
+  frame.window = window_of(groups.of({0x00289132}), frame.meaning);
+  key_frame(frame, groups);
+  const std::string& trigger = frame.key(PlaneKey::trigger_time);
+  frame.moments = {moment_of(frame.key(PlaneKey::acquisition_time)),
+                   trigger.empty() ? std::nullopt : std::optional(std::stod(trigger)), std::nullopt,
+                   static_cast<double>(index)};
+  return frame;
 }
 
-std::vector<DicomFrame> enhanced_frames(const DicomFrame& common, const gdcm::DataSet& data) {
-  const gdcm::DataSet shared = first_item_at(data, 0x5200, 0x9229).value_or(gdcm::DataSet());
-  const auto per_frame = sequence_at(data, 0x5200, 0x9230);
-  const std::size_t count = per_frame->GetNumberOfItems();
-  const auto declared = decimals_at(data, 0x0028, 0x0008);
+}  // namespace
+
+bool has_functional_groups(const DataSet& data) { return data.has(kPerFrame); }
+
+std::vector<DicomFrame> enhanced_frames(DicomImage image, const DataSet& data) {
+  const std::optional<DataSet> shared = data.first_item(kShared);
+  const std::vector<DataSet> per_frame = data.items(kPerFrame);
+  const std::size_t count = per_frame.size();
+  const auto declared = data.decimals(0x00280008);
   if (count == 0 || declared.size() != 1 || declared.front() != static_cast<double>(count)) {
-    refuse(common.file, "the number of frames is unclear",
+    refuse(image.file, "the number of frames is unclear",
            fmt::format("NumberOfFrames = {}, the number of per-frame groups", count),
            declared.empty() ? "none" : number_in_words(declared.front()));
   }
-  std::vector<DicomFrame> frames;
-  for (std::size_t i = 0; i < count; ++i) {
-    DicomFrame& frame = frames.emplace_back(common);
-    frame.index = static_cast<int>(i);
-    frame.frames_in_file = static_cast<int>(count);
-    const FrameGroups groups(shared, per_frame->GetItem(i + 1).GetNestedDataSet());
-    place_frame(frame, groups);
-    rescale_frame(frame, groups);
-    key_frame(frame, groups);
+  if (count > kMostFrames) {
+    refuse(image.file, "there are too many frames in one file",
+           fmt::format("at most {}", kMostFrames), fmt::format("{}", count));
   }
+  image.frames = static_cast<int>(count);
+  const auto shared_image = std::make_shared<const DicomImage>(std::move(image));
+  std::vector<DicomFrame> frames;
+  frames.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+    frames.push_back(
+        enhanced_frame(shared_image, i, data, FrameGroups(data, shared, per_frame[i])));
   return frames;
 }
 

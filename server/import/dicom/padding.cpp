@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "import/dicom/dataset.h"
+#include "import/dicom/data_set.h"
 #include "import/refusal.h"
 
 namespace cutaway::reading {
@@ -10,13 +10,19 @@ namespace cutaway::reading {
 namespace {
 
 /// Writers give the 16 bits as US or SS whatever the pixels are; the pixels' sign counts.
-std::optional<double> stored_number(const gdcm::DataSet& data, std::uint16_t element) {
-  const auto number = binary_at(data, 0x0028, element);
+std::optional<double> stored_integer(const DataSet& data, DicomTag tag) {
+  const auto number = data.binary(tag);
   if (!number) return std::nullopt;
-  const bool pixels_are_signed = binary_at(data, 0x0028, 0x0103).value_or(0) == 1;
+  const bool pixels_are_signed = data.binary(0x00280103).value_or(0) == 1;
   if (pixels_are_signed && *number > 32767 && *number <= 65535) return *number - 65536;
   if (!pixels_are_signed && *number < 0) return *number + 65536;
   return number;
+}
+
+std::optional<PixelPadding> between(std::optional<double> value, std::optional<double> limit) {
+  if (!value) return std::nullopt;
+  return PixelPadding{std::min(*value, limit.value_or(*value)),
+                      std::max(*value, limit.value_or(*value))};
 }
 
 template <typename T>
@@ -43,11 +49,12 @@ std::size_t replace(const std::filesystem::path& file, const PaddingMask& paddin
 
 }  // namespace
 
-std::optional<PixelPadding> pixel_padding(const gdcm::DataSet& data) {
-  const auto value = stored_number(data, 0x0120);
-  if (!value) return std::nullopt;
-  const double limit = stored_number(data, 0x0121).value_or(*value);
-  return PixelPadding{std::min(*value, limit), std::max(*value, limit)};
+std::optional<PixelPadding> pixel_padding(const DataSet& data, Component component) {
+  if (component == Component::float32)
+    return between(data.binary(0x00280122), data.binary(0x00280124));
+  if (component == Component::float64)
+    return between(data.binary(0x00280123), data.binary(0x00280125));
+  return between(stored_integer(data, 0x00280120), stored_integer(data, 0x00280121));
 }
 
 std::size_t replace_padding(const std::filesystem::path& file, const PaddingMask& padding,

@@ -10,11 +10,9 @@
 
 #include "import/raw_voxels.h"
 
-namespace gdcm {
-class DataSet;
-}
-
 namespace cutaway::reading {
+
+class DataSet;
 
 /// Both ends belong to it; before any rescale.
 struct PixelPadding {
@@ -24,8 +22,8 @@ struct PixelPadding {
   bool contains(double stored) const { return stored >= lowest && stored <= highest; }
 };
 
-/// Nothing where the image declares none.
-std::optional<PixelPadding> pixel_padding(const gdcm::DataSet& data);
+/// Nothing where the image declares none. `component` is what its pixels are of.
+std::optional<PixelPadding> pixel_padding(const DataSet& data, Component component);
 
 /// Which voxels of a volume are padding, 1 or 0; empty where no image of it declares any. Bytes,
 /// for several threads write to it at once, which a vector of bits does not bear.

@@ -1,143 +1,92 @@
 #include "import/dicom/pixels.h"
 
-#include <fmt/format.h>
-#include <gdcmImageReader.h>
-
 #include <cstring>
 #include <limits>
+#include <span>
 #include <type_traits>
 
-#include "import/data_root.h"
 #include "import/refusal.h"
 
 namespace cutaway::reading {
 
 namespace {
 
-Component component_of(const std::filesystem::path& file, const gdcm::PixelFormat& format) {
-  const bool is_signed = format.GetPixelRepresentation() == 1;
-  switch (format.GetBitsAllocated()) {
-    case 8:
-      return is_signed ? Component::int8 : Component::uint8;
-    case 16:
-      return is_signed ? Component::int16 : Component::uint16;
-    case 32:
-      return is_signed ? Component::int32 : Component::uint32;
-    default:
-      break;
-  }
-  refuse(file, "this pixel size is not read", "8, 16 or 32 bits",
-         fmt::format("{} bits", format.GetBitsAllocated()));
-}
-
 /// Only the stored bits count: others may hold overlays, or nothing that was meant.
 template <typename T>
-T stored_value(const char* bytes, int bits_stored, int high_bit) {
-  using Unsigned = std::make_unsigned_t<T>;
-  constexpr int kBits = std::numeric_limits<Unsigned>::digits;
-  Unsigned raw = 0;
-  std::memcpy(&raw, bytes, sizeof(raw));
-  const auto at_top = static_cast<Unsigned>(raw << (kBits - 1 - high_bit));
-  return static_cast<T>(static_cast<T>(at_top) >> (kBits - bits_stored));
+T stored_value(const char* bytes, const StoredBits& bits) {
+  T value;
+  std::memcpy(&value, bytes, sizeof(value));
+  if constexpr (std::is_integral_v<T>) {
+    using Unsigned = std::make_unsigned_t<T>;
+    constexpr int kBits = std::numeric_limits<Unsigned>::digits;
+    const auto at_top =
+        static_cast<Unsigned>(static_cast<Unsigned>(value) << (kBits - 1 - bits.high_bit));
+    return static_cast<T>(static_cast<T>(at_top) >> (kBits - bits.stored));
+  } else {
+    return value;
+  }
 }
-
-/// How stored values lie in the decoded bytes.
-struct StoredBits {
-  int stored = 16;
-  int high_bit = 15;
-};
 
 template <typename From, typename To>
-void convert(const char* bytes, StoredBits bits, const DicomFrame& frame, std::size_t first,
+To converted(From value, const ValueMeaning& meaning) {
+  if (meaning.table) return static_cast<To>(meaning.table->value_of(static_cast<double>(value)));
+  // NOLINTNEXTLINE(bugprone-signed-char-misuse): numbers, no text
+  if constexpr (std::is_integral_v<To>) return static_cast<To>(value);
+  return static_cast<To>(static_cast<double>(value) * meaning.slope + meaning.intercept);
+}
+
+template <typename From, typename To>
+void convert(const PlainFrame& plain, const DicomFrame& frame, std::size_t first,
              std::span<To> output, PaddingMask& padding) {
+  const auto& declared = frame.image->padding;
   for (std::size_t i = 0; i < output.size(); ++i) {
-    const From value = stored_value<From>(bytes + i * sizeof(From), bits.stored, bits.high_bit);
-    if (frame.padding && frame.padding->contains(static_cast<double>(value)))
-      padding[first + i] = 1;
-    if constexpr (std::is_integral_v<To>) {
-      output[i] = static_cast<To>(value);  // NOLINT(bugprone-signed-char-misuse): numbers, no text
-    } else {
-      output[i] = static_cast<To>(static_cast<double>(value) * frame.slope + frame.intercept);
-    }
+    const From value = stored_value<From>(plain.bytes.data() + i * sizeof(From), plain.bits);
+    if (declared && declared->contains(static_cast<double>(value))) padding[first + i] = 1;
+    output[i] = converted<From, To>(value, frame.meaning);
   }
 }
 
-gdcm::Image read_image(const std::filesystem::path& file) {
-  gdcm::ImageReader reader;
-  reader.SetFileName(file.c_str());
-  if (!reader.Read()) {
-    const auto syntax = reader.GetFile().GetHeader().GetDataSetTransferSyntax();
-    const char* name = gdcm::TransferSyntax::GetTSString(syntax);
-    refuse(file, "the pixel data are broken or cut off", {},
-           fmt::format("transfer syntax {}", name ? name : "unknown"));
-  }
-  return reader.GetImage();
+/// As the codec gave them, which may be narrower than the header promised.
+Component component_of(const PlainFrame& plain, Component declared) {
+  if (declared == Component::float32 || declared == Component::float64) return declared;
+  const bool is_signed = plain.bits.is_signed;
+  if (plain.bits.allocated == 8) return is_signed ? Component::int8 : Component::uint8;
+  if (plain.bits.allocated == 16) return is_signed ? Component::int16 : Component::uint16;
+  return is_signed ? Component::int32 : Component::uint32;
 }
 
-void require_same(const DicomFrame& frame, std::size_t frames, const gdcm::Image& image) {
-  const std::size_t decoded_frames = image.GetNumberOfDimensions() > 2 ? image.GetDimension(2) : 1;
-  const bool same = image.GetColumns() == static_cast<unsigned>(frame.size_px.x) &&
-                    image.GetRows() == static_cast<unsigned>(frame.size_px.y) &&
-                    decoded_frames == frames && image.GetPixelFormat().GetSamplesPerPixel() == 1;
-  if (same) return;
-  refuse(frame.file, "the pixel data are not what the header says",
-         fmt::format("{}x{}, {} frames", frame.size_px.x, frame.size_px.y, frames),
-         fmt::format("{}x{}, {} frames", image.GetColumns(), image.GetRows(), decoded_frames));
+template <typename To>
+void convert_any(const PlainFrame& plain, const DicomFrame& frame, std::size_t first,
+                 std::span<To> output, PaddingMask& padding) {
+  switch (component_of(plain, frame.image->component)) {
+    case Component::int8:
+      return convert<std::int8_t>(plain, frame, first, output, padding);
+    case Component::uint8:
+      return convert<std::uint8_t>(plain, frame, first, output, padding);
+    case Component::int16:
+      return convert<std::int16_t>(plain, frame, first, output, padding);
+    case Component::uint16:
+      return convert<std::uint16_t>(plain, frame, first, output, padding);
+    case Component::int32:
+      return convert<std::int32_t>(plain, frame, first, output, padding);
+    case Component::float32:
+      return convert<float>(plain, frame, first, output, padding);
+    case Component::float64:
+      return convert<double>(plain, frame, first, output, padding);
+    default:
+      return convert<std::uint32_t>(plain, frame, first, output, padding);
+  }
 }
 
 }  // namespace
 
-DicomPixels::DicomPixels(const DicomFrame& any_frame_of_file, std::size_t frames_in_file)
-    : file_(any_frame_of_file.file) {
-  try {
-    const gdcm::Image image = read_image(file_);
-    require_same(any_frame_of_file, frames_in_file, image);
-    const gdcm::PixelFormat& format = image.GetPixelFormat();
-    component_ = component_of(file_, format);
-    bits_stored_ = format.GetBitsStored();
-    high_bit_ = format.GetHighBit();
-    frame_voxels_ = std::size_t(any_frame_of_file.size_px.x) * any_frame_of_file.size_px.y;
-    bytes_.resize(image.GetBufferLength());
-    const std::size_t needed = frame_voxels_ * frames_in_file * component_bytes(component_);
-    if (bytes_.size() < needed || !image.GetBuffer(bytes_.data())) {
-      refuse(file_, "the pixel data are broken or cut off",
-             bytes_in_words(static_cast<double>(needed)));
-    }
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& error) {  // GDCM's own, of streams, of memory
-    refuse(file_, "the pixel data are broken", {}, printable(error.what()));
-  }
-  const int bits = static_cast<int>(component_bytes(component_)) * 8;
-  if (bits_stored_ < 1 || bits_stored_ > bits || high_bit_ >= bits ||
-      high_bit_ + 1 < bits_stored_) {
-    refuse(file_, "the pixels' bits are not usable", fmt::format("at most {} bits", bits),
-           fmt::format("{} bits stored, high bit {}", bits_stored_, high_bit_));
-  }
-}
-
-void DicomPixels::store(const DicomFrame& frame, std::size_t first, RawVoxels& voxels,
-                        PaddingMask& padding) const {
-  const char* bytes =
-      bytes_.data() + std::size_t(frame.index) * frame_voxels_ * component_bytes(component_);
-  const StoredBits bits{bits_stored_, high_bit_};
+void store_frame(PixelFile& pixels, const DicomFrame& frame, std::size_t first, RawVoxels& voxels,
+                 PaddingMask& padding) {
+  const PlainFrame plain = pixels.plain(frame.index);
+  const std::size_t count = std::size_t(frame.image->size_px.x) * frame.image->size_px.y;
   std::visit(
       [&](auto& values) {
-        const std::span output = std::span(values).subspan(first, frame_voxels_);
-        switch (component_) {
-          case Component::int8:
-            return convert<std::int8_t>(bytes, bits, frame, first, output, padding);
-          case Component::uint8:
-            return convert<std::uint8_t>(bytes, bits, frame, first, output, padding);
-          case Component::int16:
-            return convert<std::int16_t>(bytes, bits, frame, first, output, padding);
-          case Component::uint16:
-            return convert<std::uint16_t>(bytes, bits, frame, first, output, padding);
-          case Component::int32:
-            return convert<std::int32_t>(bytes, bits, frame, first, output, padding);
-          default:
-            return convert<std::uint32_t>(bytes, bits, frame, first, output, padding);
-        }
+        convert_any(plain, frame, first, std::span(values).subspan(first, count), padding);
       },
       voxels);
 }

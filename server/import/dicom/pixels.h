@@ -1,31 +1,15 @@
-// Stored pixel values out of a DICOM file, whatever its transfer syntax.
+// Stored pixel values of a DICOM file to voxels.
 #pragma once
 
-#include <vector>
-
-#include "import/dicom/frame.h"
+#include "import/dicom/pixel_file.h"
 
 namespace cutaway::reading {
 
-/// All frames of one file, decoded. Throws Error naming the file where they cannot be, or are not
-/// what the header says.
-class DicomPixels {
- public:
-  DicomPixels(const DicomFrame& any_frame_of_file, std::size_t frames_in_file);
-
-  /// Writes one frame to `voxels` from `first` on: stored values where `voxels` is of integers,
-  /// slope and intercept applied where it is of floats. Marks what is padding in `padding`, which
-  /// is as long as `voxels` where the frame declares any.
-  void store(const DicomFrame& frame, std::size_t first, RawVoxels& voxels,
-             PaddingMask& padding) const;
-
- private:
-  std::filesystem::path file_;
-  std::vector<char> bytes_;
-  std::size_t frame_voxels_ = 0;
-  Component component_ = Component::uint16;
-  int bits_stored_ = 16;
-  int high_bit_ = 15;
-};
+/// Writes one frame to `voxels` from `first` on: stored values where `voxels` is of integers and
+/// the frame has no table of values, else what they mean. Marks what is padding in `padding`,
+/// which is as long as `voxels` where the frame declares any. Throws Error naming the file where
+/// the frame cannot be decoded, or is not what the header says.
+void store_frame(PixelFile& pixels, const DicomFrame& frame, std::size_t first, RawVoxels& voxels,
+                 PaddingMask& padding);
 
 }  // namespace cutaway::reading

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// GDCM ends its process at some broken headers, and turns for ever at a few, so those files are
+/// GDCM's codecs may end their process at broken pictures, or turn for ever, so those files are
 /// only ever opened by a child: one that is forked, since to start a program takes a second. That a
 /// child's end is survived, and said, is for the tests of the isolated reader.
 struct Sample {
@@ -44,6 +44,27 @@ void write_dicom_pair(const fs::path& folder, bool compressed) {
     if (compressed) transcode(file, k == 0 ? Syntax::jpeg_ls : Syntax::rle);
   }
 }
+
+void write_odd_pair(const fs::path& folder, const std::function<void(DicomSlice&)>& change,
+                    const std::function<void(const fs::path&)>& rewrite) {
+  for (int k = 0; k < 2; ++k) {
+    DicomSlice slice;
+    slice.position_mm = {0, 0, 2.0 * k};
+    slice.fill_with_ramp();
+    change(slice);
+    const fs::path file = folder / (k == 0 ? "a.dcm" : "b.dcm");
+    write_dicom(file, slice);
+    if (rewrite) rewrite(file);
+  }
+}
+
+void give_table(DicomSlice& slice) {
+  slice.table = {.first_stored = 1000, .entries = {4, 3, 2, 1}, .type = "US"};
+  slice.texts[{0x0008, 0x0005}] = "\\ISO 2022 IR 87";
+  slice.texts[{0x0008, 0x103e}] = "\x1B$BF,It\x1B(B";
+}
+
+void give_floats(DicomSlice& slice) { slice.floats.assign(16, 1.5F); }
 
 void write_enhanced(const fs::path& folder) {
   std::vector<DicomSlice> frames(3);
@@ -91,6 +112,18 @@ const Sample kSamples[]{
     {"dicom", true, 80, [](const fs::path& folder) { write_dicom_pair(folder, false); }},
     {"dicom_compressed", true, 80, [](const fs::path& folder) { write_dicom_pair(folder, true); }},
     {"dicom_enhanced", true, 80, write_enhanced},
+    {"dicom_table", true, 80,
+     [](const fs::path& folder) { write_odd_pair(folder, give_table, {}); }},
+    {"dicom_float", true, 80,
+     [](const fs::path& folder) { write_odd_pair(folder, give_floats, {}); }},
+    {"dicom_bare", true, 80,
+     [](const fs::path& folder) { write_odd_pair(folder, give_table, strip_file_header); }},
+    {"dicom_deflated", true, 80,
+     [](const fs::path& folder) {
+       write_odd_pair(
+           folder, [](DicomSlice&) {},
+           [](const fs::path& file) { transcode(file, Syntax::deflated); });
+     }},
     {"nifti", false, 400,
      [](const fs::path& folder) { write_file(folder / "a.nii", nifti_bytes()); }},
     {"nifti_gz", false, 400,

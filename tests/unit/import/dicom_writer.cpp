@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 
 #include "unit/import/import_test_support.h"
 
@@ -84,12 +85,52 @@ void put_rescale(gdcm::DataSet& data, const DicomSlice& slice) {
   put_text(data, {0x0028, 0x1053}, gdcm::VR::DS, decimals({slice.slope}));
 }
 
+void put_table(gdcm::DataSet& data, const DicomTable& table) {
+  gdcm::DataSet item;
+  put_bytes(item, {0x0028, 0x3002}, gdcm::VR::US,
+            bytes_of_numbers<std::uint16_t>({static_cast<std::uint16_t>(table.entries.size()),
+                                             static_cast<std::uint16_t>(table.first_stored), 16}));
+  put_text(item, {0x0028, 0x3004}, gdcm::VR::LO, table.type);
+  put_bytes(item, {0x0028, 0x3006}, gdcm::VR::US, bytes_of_numbers(table.entries));
+  put_sequence(data, {0x0028, 0x3000}, {item});
+}
+
+void put_mapping(gdcm::DataSet& data, const DicomMapping& mapping) {
+  gdcm::DataSet unit;
+  put_text(unit, {0x0008, 0x0100}, gdcm::VR::SH, mapping.unit);
+  gdcm::DataSet item;
+  put_sequence(item, {0x0040, 0x08ea}, {unit});
+  put_bytes(item, {0x0040, 0x9224}, gdcm::VR::FD, bytes_of_numbers<double>({mapping.intercept}));
+  put_bytes(item, {0x0040, 0x9225}, gdcm::VR::FD, bytes_of_numbers<double>({mapping.slope}));
+  put_sequence(data, {0x0040, 0x9096}, {item});
+}
+
+void put_values(gdcm::DataSet& data, const DicomSlice& slice) {
+  if (slice.mapping.slope != 0) put_mapping(data, slice.mapping);
+  if (!slice.table.entries.empty()) {
+    put_table(data, slice.table);
+  } else if (slice.has_rescale) {
+    put_rescale(data, slice);
+  }
+}
+
+void put_pixels(gdcm::DataSet& data, const DicomSlice& slice) {
+  if (!slice.floats.empty()) {
+    put_bytes(data, {0x7fe0, 0x0008}, gdcm::VR::OF, bytes_of_numbers(slice.floats));
+  } else if (!slice.doubles.empty()) {
+    put_bytes(data, {0x7fe0, 0x0009}, gdcm::VR::OD, bytes_of_numbers(slice.doubles));
+  } else {
+    put_bytes(data, {0x7fe0, 0x0010}, gdcm::VR::OW, bytes_of_numbers(slice.stored));
+  }
+}
+
 void put_pixel_module(gdcm::DataSet& data, const DicomSlice& slice) {
   put_short(data, {0x0028, 0x0002}, 1);
   put_text(data, {0x0028, 0x0004}, gdcm::VR::CS, "MONOCHROME2");
   put_short(data, {0x0028, 0x0010}, slice.size_px.y);
   put_short(data, {0x0028, 0x0011}, slice.size_px.x);
-  put_short(data, {0x0028, 0x0100}, 16);
+  const int allocated = !slice.floats.empty() ? 32 : !slice.doubles.empty() ? 64 : 16;
+  put_short(data, {0x0028, 0x0100}, allocated);
   put_short(data, {0x0028, 0x0101}, slice.bits_stored);
   put_short(data, {0x0028, 0x0102}, slice.bits_stored - 1);
   put_short(data, {0x0028, 0x0103}, slice.is_signed ? 1 : 0);
@@ -97,7 +138,8 @@ void put_pixel_module(gdcm::DataSet& data, const DicomSlice& slice) {
 
 void put_identity(gdcm::DataSet& data, const DicomSlice& slice, const char* storage,
                   const std::string& name) {
-  put_text(data, {0x0008, 0x0016}, gdcm::VR::UI, storage);
+  put_text(data, {0x0008, 0x0016}, gdcm::VR::UI,
+           slice.storage_class.empty() ? storage : slice.storage_class);
   put_text(data, {0x0008, 0x0018}, gdcm::VR::UI,
            fmt::format("1.2.826.9.{}", std::hash<std::string>()(name)));
   put_text(data, {0x0008, 0x0060}, gdcm::VR::CS, slice.modality);
@@ -107,14 +149,20 @@ void put_identity(gdcm::DataSet& data, const DicomSlice& slice, const char* stor
   put_text(data, {0x0020, 0x000e}, gdcm::VR::UI, slice.series_uid);
 }
 
-gdcm::VR vr_of(DicomTag tag) {
+gdcm::VR vr_of(const DicomSlice& slice, DicomTag tag) {
   static const std::map<DicomTag, gdcm::VR> kKinds{
+      {{0x0008, 0x0005}, gdcm::VR::CS}, {{0x0020, 0x000d}, gdcm::VR::UI},
+      {{0x0020, 0x000e}, gdcm::VR::UI}, {{0x0020, 0x0052}, gdcm::VR::UI},
+      {{0x0020, 0x0011}, gdcm::VR::IS}, {{0x0018, 0x0050}, gdcm::VR::DS},
+      {{0x0018, 0x1210}, gdcm::VR::SH}, {{0x0008, 0x0033}, gdcm::VR::TM},
       {{0x0008, 0x0008}, gdcm::VR::CS}, {{0x0008, 0x0018}, gdcm::VR::UI},
       {{0x0008, 0x0032}, gdcm::VR::TM}, {{0x0018, 0x0081}, gdcm::VR::DS},
       {{0x0018, 0x0086}, gdcm::VR::IS}, {{0x0020, 0x0012}, gdcm::VR::IS},
       {{0x0020, 0x0013}, gdcm::VR::IS}, {{0x0020, 0x0100}, gdcm::VR::IS},
       {{0x0020, 0x0032}, gdcm::VR::DS}, {{0x0028, 0x0004}, gdcm::VR::CS},
       {{0x0028, 0x0030}, gdcm::VR::DS}, {{0x0028, 0x0008}, gdcm::VR::IS}};
+  if (const auto given = slice.vrs.find(tag); given != slice.vrs.end())
+    return gdcm::VR::GetVRType(given->second.c_str());
   const auto found = kKinds.find(tag);
   return found == kKinds.end() ? gdcm::VR(gdcm::VR::LO) : found->second;
 }
@@ -128,7 +176,7 @@ void put_extras(gdcm::DataSet& data, const DicomSlice& slice) {
     if (text.empty()) {
       data.Remove(gdcm::Tag(tag.first, tag.second));
     } else {
-      put_text(data, tag, vr_of(tag), text);
+      put_text(data, tag, vr_of(slice, tag), text);
     }
   }
 }
@@ -145,6 +193,8 @@ void write(const std::filesystem::path& file, const gdcm::DataSet& data) {
 
 gdcm::TransferSyntax::TSType type_of(Syntax syntax) {
   switch (syntax) {
+    case Syntax::explicit_little:
+      return gdcm::TransferSyntax::ExplicitVRLittleEndian;
     case Syntax::implicit:
       return gdcm::TransferSyntax::ImplicitVRLittleEndian;
     case Syntax::big_endian:
@@ -183,11 +233,32 @@ void write_dicom(const std::filesystem::path& file, const DicomSlice& slice) {
   put_position(data, slice);
   put_orientation(data, slice);
   put_spacing(data, slice);
-  put_rescale(data, slice);
+  put_values(data, slice);
   put_pixel_module(data, slice);
-  put_bytes(data, {0x7fe0, 0x0010}, gdcm::VR::OW, bytes_of_numbers(slice.stored));
+  put_pixels(data, slice);
   put_extras(data, slice);
   write(file, data);
+}
+
+void strip_file_header(const std::filesystem::path& file) {
+  const std::string bytes = read_file(file);
+  constexpr std::size_t kGroupLength = 132 + 8;  // its value says how long the rest of group 2 is
+  std::uint32_t rest = 0;
+  std::memcpy(&rest, bytes.data() + kGroupLength, sizeof(rest));
+  write_file(file, bytes.substr(kGroupLength + sizeof(rest) + rest));
+}
+
+void rename_syntax(const std::filesystem::path& file, const std::string& uid) {
+  std::string bytes = read_file(file);
+  const std::string head("\x02\0\x10\0UI", 6);
+  const std::size_t place = bytes.find(head) + head.size();
+  std::uint16_t length = 0;
+  std::memcpy(&length, bytes.data() + place, sizeof(length));
+  std::string value = uid + (uid.size() % 2 == 1 ? std::string(1, '\0') : "");
+  const auto new_length = static_cast<std::uint16_t>(value.size());
+  bytes.replace(place, sizeof(length) + length,
+                std::string(reinterpret_cast<const char*>(&new_length), 2) + value);
+  write_file(file, bytes);
 }
 
 void transcode(const std::filesystem::path& file, Syntax syntax) {
@@ -206,12 +277,14 @@ void transcode(const std::filesystem::path& file, Syntax syntax) {
 }
 
 void write_enhanced_dicom(const std::filesystem::path& file, const std::vector<DicomSlice>& frames,
-                          const std::vector<std::uint32_t>& temporal_positions) {
+                          const std::vector<std::uint32_t>& temporal_positions,
+                          bool rescale_is_common) {
   const DicomSlice& first = frames.front();
   gdcm::DataSet data;
   put_identity(data, first, kEnhancedCtImage, file.string());
   put_pixel_module(data, first);
   put_text(data, {0x0028, 0x0008}, gdcm::VR::IS, std::to_string(frames.size()));
+  if (rescale_is_common) put_rescale(data, first);
   gdcm::DataSet orientation;
   put_orientation(orientation, first);
   gdcm::DataSet measures;
@@ -229,7 +302,7 @@ void write_enhanced_dicom(const std::filesystem::path& file, const std::vector<D
     put_rescale(rescale, frames[i]);
     gdcm::DataSet& group = groups.emplace_back();
     put_sequence(group, {0x0020, 0x9113}, {position});
-    put_sequence(group, {0x0028, 0x9145}, {rescale});
+    if (!rescale_is_common) put_sequence(group, {0x0028, 0x9145}, {rescale});
     if (!temporal_positions.empty()) {
       gdcm::DataSet content;
       put_long(content, {0x0020, 0x9128}, temporal_positions[i]);

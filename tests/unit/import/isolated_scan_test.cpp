@@ -166,7 +166,7 @@ std::string slice_bytes(const TemporaryFolder& folder) {
   return read_file(folder / "whole.dcm");
 }
 
-/// As interrupted copies leave them. GDCM ends the process at many of these; here one child looks
+/// As interrupted copies leave them. Here one child looks
 /// at them all.
 TEST(IsolatedScan, SlicesCutOffAtAnyLengthAreRefusedPlainly) {
   TemporaryFolder whole;

@@ -7,11 +7,12 @@ import type { MeasurementResult } from '../view/measurement.ts';
 const DIGITS = 1;
 const VALUE_DIGITS = 4;
 
-/** Hounsfield values are whole numbers; what has no unit may be of any size. */
-export function valueText(value: number, unit: 'HU' | 'none'): string {
-  if (unit === 'HU') return `${words().number(value)} HU`;
+/** Hounsfield values are whole numbers; others may be of any size. `units` are the volume's. */
+export function valueText(value: number, units: string): string {
+  if (units === 'HU') return `${words().number(value)} HU`;
   const digits = Math.max(0, VALUE_DIGITS - 1 - Math.floor(Math.log10(Math.abs(value) || 1)));
-  return words().number(value, Math.min(VALUE_DIGITS, digits));
+  const number = words().number(value, Math.min(VALUE_DIGITS, digits));
+  return units === 'none' ? number : `${number} ${units}`;
 }
 
 export function resultText({ value, unit }: MeasurementResult): string {

@@ -26,11 +26,10 @@ export interface Measurement {
   readonly points: readonly MeasuredPoint[];
 }
 
-export type MeasurementUnit = 'mm' | 'degrees' | 'HU' | 'none';
-
 export interface MeasurementResult {
   readonly value: number;
-  readonly unit: MeasurementUnit;
+  /** 'mm', 'degrees', or the volume's. */
+  readonly unit: string;
 }
 
 /** Nearer ones are the same point: a double click is no distance. */
@@ -53,7 +52,7 @@ export function angleDegrees(from: Vector3, vertex: Vector3, to: Vector3): numbe
 /** Nothing while points are missing. `units` are the volume's. */
 export function resultOf(
   { kind, points }: Pick<Measurement, 'kind' | 'points'>,
-  units: 'HU' | 'none',
+  units: string,
 ): MeasurementResult | undefined {
   const [first, second, third] = points;
   if (kind === 'probe') return first && { value: first.value, unit: units };
