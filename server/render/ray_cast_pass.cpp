@@ -125,8 +125,9 @@ void RayCastPass::draw(const Entry& entry, const RayCastKey& key, GpuVolume& vol
       program, 1, volume.empty_space(key.surfaces[kContext].band, key.surfaces[kFocus].band));
   program.set_texture("entry_texture", 2, buffers.entry.name());
   set_view_rays(program, key.rays);
-  program.set("pixel_size", 2.0F * glm::length(key.rays.view_up) /
-                                static_cast<float>(buffers.picture_size_px().y));
+  const float whole_height_px =
+      static_cast<float>(buffers.picture_size_px().y) / key.rays.tile_scale.y;
+  program.set("pixel_size", 2.0F * glm::length(key.rays.view_up) / whole_height_px);
   set_search(program, key, volume);
   set_lens(program, key.lens);
   if (key.is_translucent()) set_looks(program, key);

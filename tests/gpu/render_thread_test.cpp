@@ -74,7 +74,7 @@ TEST_F(RenderThreads, EveryJobEndsOnceAndViewsDoNotMix) {
     if (std::holds_alternative<RenderReplaced>(outcome)) continue;
     ++drawn;
     const auto& frame = std::get<RenderedFrame>(outcome);
-    EXPECT_EQ(frame.pixels.planes.at(0).at(0),
+    EXPECT_EQ(frame.picture.plane(0).row(0)[0],
               std::lround(static_cast<double>(i % 4) / 4.0 * 255.0));
   }
   EXPECT_GE(drawn, 4);
