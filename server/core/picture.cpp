@@ -70,8 +70,7 @@ std::size_t Picture::bytes() const {
 }
 
 void Picture::copy(const Picture& from, const PixelRect& part, glm::ivec2 at) {
-  if (layout_ != from.layout_)
-    throw std::out_of_range("a picture takes none of another layout");
+  if (layout_ != from.layout_) throw std::out_of_range("a picture takes none of another layout");
   const PixelRect taken{at, at + part.size_px()};
   const int block = block_px(layout_);
   require_whole_blocks(part, block, from.size_px_);

@@ -16,8 +16,7 @@ std::vector<std::uint8_t> without_alpha(const PixelPlane& rgba) {
   rgb.reserve(packed_bytes(rgba.size_px(), 3));
   for (int y = 0; y < rgba.size_px().y; ++y) {
     const auto row = rgba.row(y);
-    for (std::size_t i = 0; i + 3 < row.size(); i += 4)
-      rgb.insert(rgb.end(), &row[i], &row[i] + 3);
+    for (std::size_t i = 0; i + 3 < row.size(); i += 4) rgb.insert(rgb.end(), &row[i], &row[i] + 3);
   }
   return rgb;
 }

@@ -27,8 +27,8 @@ int part_side_px(const Scene& scene, const RenderSettings& whole, int margin_px,
                  const PartLimits& limits) {
   int side_px = kLargestSide_px;
   while (side_px > kSmallestSide_px &&
-         !fits(scene, whole,
-               glm::min(glm::ivec2(side_px + 2 * margin_px), whole.picture_size_px), limits))
+         !fits(scene, whole, glm::min(glm::ivec2(side_px + 2 * margin_px), whole.picture_size_px),
+               limits))
     side_px /= 2;
   return side_px;
 }

@@ -39,8 +39,7 @@ RayCastKey ray_cast_key(const Scene& scene, const GpuVolume& volume,
       .lens = region_of(scene.lens),
       .step_voxels = settings.step_voxels,
       .skip_empty_space = settings.skip_empty_space};
-  if (is_translucent(scene))
-    key.looks = looks_of(scene);
+  if (is_translucent(scene)) key.looks = looks_of(scene);
   return key;
 }
 

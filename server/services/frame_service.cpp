@@ -33,8 +33,7 @@ RenderSettings settings_for(const FrameRequest& request, PixelLayout layout) {
 }
 
 bool is_large(const RenderRequest& still) {
-  const PlaneShape shape =
-      plane_shapes(PixelLayout::rgba, still.settings.picture_size_px).front();
+  const PlaneShape shape = plane_shapes(PixelLayout::rgba, still.settings.picture_size_px).front();
   return packed_bytes(shape.size_px, shape.bytes_per_pixel) > kLargeStillBytes;
 }
 
@@ -143,9 +142,9 @@ void FrameService::submit_still(FrameRequest request, std::function<void(StillOu
   if (!still.volume) return end(volume_gone(request.scene->volume), std::move(done));
   if (is_large(still)) {
     // Compressed on the thread that made it, where it keeps no live frame waiting.
-    large_stills_->add(
-        std::move(still),
-        [done = std::move(done)](const RenderOutcome& outcome) { hand_over(outcome, done); });
+    large_stills_->add(std::move(still), [done = std::move(done)](const RenderOutcome& outcome) {
+      hand_over(outcome, done);
+    });
     return;
   }
   renderer_->submit({std::move(still), [this, done = std::move(done)](RenderOutcome outcome) {

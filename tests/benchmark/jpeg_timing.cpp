@@ -47,8 +47,8 @@ double rate_together(const Picture& picture, int quality, int threads, double se
 
 }  // namespace
 
-std::vector<JpegRate> measure_jpeg(const Picture& picture, int quality, std::span<const int> threads,
-                                   double seconds) {
+std::vector<JpegRate> measure_jpeg(const Picture& picture, int quality,
+                                   std::span<const int> threads, double seconds) {
   std::vector<std::vector<double>> rates(threads.size());
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < threads.size(); ++i)

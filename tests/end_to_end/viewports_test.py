@@ -14,8 +14,9 @@ from served import HEAD, run, serve
 from wire import Client, Picture, jpeg_size, png_size
 
 SECONDS = float(os.environ.get("CUTAWAY_SECONDS", "20"))
-SESSIONS = 12
+SESSIONS = 12 if SECONDS >= 60 else 4
 VIEWS = 4
+MOST_PATIENCE_S = 5.0
 
 # What once ended the server, what is one pixel wide, and what is odd where chroma is halved.
 SIZES = [(2049, 1), (1, 2049), (2060, 200), (2560, 1440), (3840, 1066), (1, 1), (1025, 3), (4096, 999), (640, 480)]
@@ -84,24 +85,38 @@ class Wanderer:
         return width_px, max(1, min(height_px, pixels // width_px))
 
     def change(self):
+        """Sends something. Returns the view whose refined frame is to be waited for, and its input."""
         kind = self.random.random()
         if kind < 0.7:
-            self.client.viewport(*self.size(), view=self.random.randrange(VIEWS))
-        elif kind < 0.95:
-            self.client.scene(self.random.choice(LOOKS))
-        else:
-            self.request += 1
-            self.client.send(type="save_still", request=self.request, width_px=2100, height_px=60)
+            view = self.random.randrange(VIEWS)
+            return view, self.client.viewport(*self.size(), view=view)
+        if kind < 0.95:
+            return 0, self.client.scene(self.random.choice(LOOKS))
+        self.request += 1
+        self.client.send(type="save_still", request=self.request, width_px=2100, height_px=60)
+        return None
+
+    def look(self, until, wanted=lambda picture: False):
+        """Checks what comes until then, or until a picture is wanted."""
+        while time.monotonic() < until:
+            message = self.client.receive(until - time.monotonic())
+            self.checked += check(message)
+            if isinstance(message, Picture) and wanted(message):
+                return
 
     def wander(self, until):
         try:
             while time.monotonic() < until:
-                self.change()
-                pause = time.monotonic() + self.random.choice((0.0, 0.05, 0.4))
-                while True:
-                    self.checked += check(self.client.receive(max(0.0, pause - time.monotonic())))
-                    if time.monotonic() >= pause:
-                        break
+                changed = self.change()
+                if changed is None or self.random.random() < 0.4:
+                    self.look(time.monotonic() + self.random.choice((0.01, 0.05, 0.4)))
+                    continue
+                # What did not change the picture makes none: then that is all.
+                view, stamp = changed
+                self.look(
+                    min(until, time.monotonic() + MOST_PATIENCE_S),
+                    lambda picture: picture.still and picture.view == view and picture.input >= stamp,
+                )
             errors = [text for text in self.client.texts if text["type"] == "error"]
             assert all(error["code"] == "rate-limited" for error in errors), errors
         finally:

@@ -96,21 +96,21 @@ std::string case_name(const testing::TestParamInfo<Parts::ParamType>& tested) {
 INSTANTIATE_TEST_SUITE_P(
     OfEachKind, Parts,
     testing::Combine(
-        testing::Values(
-            Case{"flagship", "{}"}, Case{"supersampled", "{}", ViewKind::volume, 2},
-            Case{"orthographic", R"({"camera": {"projection": "orthographic"}})"},
-            Case{"magic", R"({"lens": {"mode": "magic"}})"},
-            Case{"open_lens", R"({"lens": {"cap": "open", "radius_mm": 24}})"},
-            Case{"translucent", R"({"context": {"surface": {"opacity": 0.4}}})"},
-            Case{"wide_filter",
-                 R"({"context": {"filters": [{"name": "kuwahara", "radius": 5}]}})",
-                 ViewKind::volume, 2},
-            Case{"axial", "{}", ViewKind::axial}, Case{"coronal", "{}", ViewKind::coronal, 2}),
+        testing::Values(Case{"flagship", "{}"}, Case{"supersampled", "{}", ViewKind::volume, 2},
+                        Case{"orthographic", R"({"camera": {"projection": "orthographic"}})"},
+                        Case{"magic", R"({"lens": {"mode": "magic"}})"},
+                        Case{"open_lens", R"({"lens": {"cap": "open", "radius_mm": 24}})"},
+                        Case{"translucent", R"({"context": {"surface": {"opacity": 0.4}}})"},
+                        Case{"wide_filter",
+                             R"({"context": {"filters": [{"name": "kuwahara", "radius": 5}]}})",
+                             ViewKind::volume, 2},
+                        Case{"axial", "{}", ViewKind::axial},
+                        Case{"coronal", "{}", ViewKind::coronal, 2}),
         testing::Values(PixelLayout::yuv420, PixelLayout::yuv444, PixelLayout::rgba)),
     case_name);
 
 TEST(PictureParts, AreOneWhereItIsWithinTheLimits) {
-  const Scene scene = scene_for({}, shells(), {2560, 1440});
+  const Scene scene = scene_for(Json::object(), shells(), {2560, 1440});
   const RenderSettings settings = settings_for(scene);
   const std::uint64_t bytes = bytes_for(needs_of(scene, settings));
   EXPECT_EQ(PictureParts(scene, settings, {bytes, 16384}).count(), 1U);
@@ -118,7 +118,7 @@ TEST(PictureParts, AreOneWhereItIsWithinTheLimits) {
 }
 
 TEST(PictureParts, AreNoLargerThanTheDevicesTextures) {
-  const Scene scene = scene_for({}, shells(), {8192, 64});
+  const Scene scene = scene_for(Json::object(), shells(), {8192, 64});
   RenderSettings settings = settings_for(scene);
   settings.supersampling = 2;
   EXPECT_EQ(PictureParts(scene, settings, {kNoLimit.bytes, 32768}).count(), 1U);
@@ -130,7 +130,7 @@ TEST(PictureParts, AreNoLargerThanTheDevicesTextures) {
 
 // A device with hardly any memory: they get no smaller than a few pixels, and end.
 TEST(PictureParts, CoverThePictureHoweverSmallTheLimit) {
-  const Scene scene = scene_for({}, shells(), {2049, 1});
+  const Scene scene = scene_for(Json::object(), shells(), {2049, 1});
   RenderSettings settings = settings_for(scene);
   settings.layout = PixelLayout::yuv420;
   PictureParts parts(scene, settings, {1, 1});
@@ -144,7 +144,7 @@ TEST(PictureParts, CoverThePictureHoweverSmallTheLimit) {
 }
 
 TEST(PictureParts, TakeOnlyAPartOfItsSize) {
-  const Scene scene = scene_for({}, shells(), {400, 300});
+  const Scene scene = scene_for(Json::object(), shells(), {400, 300});
   PictureParts parts(scene, settings_for(scene), {1, 16384});
   Picture smaller(PixelLayout::rgba, parts.settings(0).picture_size_px - 1);
   EXPECT_DEATH(parts.take(0, std::move(smaller)), "a part comes as it was asked for");

@@ -15,7 +15,8 @@ namespace {
 
 void save(const std::filesystem::path& path, const BytePicture& picture) {
   const auto png =
-      encode_png({PixelLayout::rgba, picture.size_px, {PixelPlane(picture.size_px, 4, picture.rgba)}})
+      encode_png(
+          {PixelLayout::rgba, picture.size_px, {PixelPlane(picture.size_px, 4, picture.rgba)}})
           .bytes;
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));

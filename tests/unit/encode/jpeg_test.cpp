@@ -38,8 +38,7 @@ Picture two_colours(PixelLayout layout, glm::ivec2 size_px, const Colour& left,
     for (int row = 0; row < shape.size_px.y; ++row) {
       for (int column = 0; column < shape.size_px.x; ++column) {
         const bool is_left = column * (index == 0 ? 1 : block) < size_px.x / 2;
-        plane.row(row)[static_cast<std::size_t>(column)] =
-            ycbcr(is_left ? left : right).at(index);
+        plane.row(row)[static_cast<std::size_t>(column)] = ycbcr(is_left ? left : right).at(index);
       }
     }
     planes.push_back(std::move(plane));
@@ -120,7 +119,8 @@ TEST(Jpeg, IsSmallerAndCoarserAtALowerQuality) {
   PixelPlane noise({64, 64}, 1);
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x)
-      noise.row(y)[static_cast<std::size_t>(x)] = static_cast<std::uint8_t>((y * 64 + x) * 97 % 251);
+      noise.row(y)[static_cast<std::size_t>(x)] =
+          static_cast<std::uint8_t>((y * 64 + x) * 97 % 251);
   }
   const Picture picture(PixelLayout::yuv444, {64, 64}, {noise, noise, noise});
   EXPECT_LT(encode_jpeg(picture, 20).bytes.size(), encode_jpeg(picture, 90).bytes.size());

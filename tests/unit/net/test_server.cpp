@@ -35,12 +35,12 @@ std::uint16_t port_of(const std::string& url) {
 template <typename PictureFile>
 Made<PictureFile> made_for(const FrameRequest& request, std::size_t bytes) {
   const Viewport viewport = request.scene->viewport;
-  return {.picture = {{viewport.width_px, viewport.height_px},
-                      std::vector<std::uint8_t>(bytes, 0x5A)},
-          .revision = request.revision,
-          .quality = request.quality,
-          .render_us = 100,
-          .encode_us = 50};
+  return {
+      .picture = {{viewport.width_px, viewport.height_px}, std::vector<std::uint8_t>(bytes, 0x5A)},
+      .revision = request.revision,
+      .quality = request.quality,
+      .render_us = 100,
+      .encode_us = 50};
 }
 
 }  // namespace
