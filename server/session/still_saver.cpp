@@ -32,16 +32,15 @@ void StillSaver::make_next() {
   if (stage_ == Stage::idle) return;
   const Waiting next = std::move(waiting_.front());
   waiting_.pop_front();
-  source_.submit_still(
-      {.view = view_.view,
-       .share = view_.share,
-       .revision = next.shown.revision,
-       .scene = next.shown.scene,
-       .quality = next.quality},
-      tether_.bind<StillOutcome>(
-          [this, request = next.request, shown = next.shown](StillOutcome outcome) {
-            came_back(request, shown, std::move(outcome));
-          }));
+  source_.submit_still({.view = view_.view,
+                        .share = view_.share,
+                        .revision = next.shown.revision,
+                        .scene = next.shown.scene,
+                        .quality = next.quality},
+                       tether_.bind<StillOutcome>([this, request = next.request,
+                                                   shown = next.shown](StillOutcome outcome) {
+                         came_back(request, shown, std::move(outcome));
+                       }));
 }
 
 void StillSaver::came_back(std::uint32_t request, const SceneSnapshot& shown,
