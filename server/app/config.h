@@ -13,7 +13,7 @@ namespace cutaway {
 
 struct Config {
   NetSettings net;
-  SessionSettings session;
+  SessionSettings session = {.viewport_pixels = 0};  ///< 0: by the renderer
   VolumeSettings volumes;
   RendererSettings renderer;
   bool core_dumps = false;

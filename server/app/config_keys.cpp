@@ -157,7 +157,7 @@ std::vector<ConfigKey> session_keys() {
            1, kLargestSide_px, [](Config & c) -> auto& { return c.session.viewport_side_px; })},
       {"session", "viewport_pixels",
        integer(
-           1, std::int64_t{kLargestSide_px} * kLargestSide_px,
+           0, std::int64_t{kLargestSide_px} * kLargestSide_px,
            [](Config & c) -> auto& { return c.session.viewport_pixels; })},
       {"session", "messages_per_second",
        NumberKey{1, 1e6, [](Config& c, double v) { c.session.messages_per_second = v; }}},

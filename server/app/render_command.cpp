@@ -24,7 +24,7 @@ std::string volume_of(const RenderCommand& command, const Json& document) {
   return command.volume ? *command.volume : document.value("volume", phantom_id({}));
 }
 
-Pixels render_once(const RenderCommand& command, RenderRequest request) {
+Picture render_once(const RenderCommand& command, RenderRequest request) {
   RenderThread renderer({.require_gpu = command.require_gpu}, RenderLimits{});
   log().debug("OpenGL renderer: {}{}", renderer.info().renderer,
               renderer.info().is_software ? " (software)" : "");
@@ -34,7 +34,7 @@ Pixels render_once(const RenderCommand& command, RenderRequest request) {
       {std::move(request), [&](RenderOutcome result) { promise.set_value(std::move(result)); }});
   RenderOutcome result = outcome.get();
   if (const auto* error = std::get_if<Error>(&result)) throw *error;
-  return std::move(std::get<RenderedFrame>(result).pixels);
+  return std::move(std::get<RenderedFrame>(result).picture);
 }
 
 }  // namespace
@@ -46,14 +46,15 @@ void run_render(const RenderCommand& command) {
   check_writable(command.output_path);
   const auto volume = load_volume_argument(volume_of(command, document), terminal_progress());
   const Scene scene = resolve_scene(document, facts_of(volume), size);
-  const Pixels pixels =
+  const Picture picture =
       render_once(command, {.volume = volume,
                             .scene = std::make_shared<const Scene>(scene),
                             .settings = {.picture_size_px = {size.width_px, size.height_px},
                                          .supersampling = command.supersampling,
                                          .step_voxels = kStillStepVoxels,
-                                         .layout = PixelLayout::rgba}});
-  write_file(command.output_path, encode_png(pixels.planes.at(0), size.width_px, size.height_px));
+                                         .layout = PixelLayout::rgba},
+                            .is_followed = false});
+  write_file(command.output_path, encode_png(picture).bytes);
 }
 
 }  // namespace cutaway

@@ -114,12 +114,15 @@ Serving::Serving(const Config& config)
   const RendererDescription renderer = frames_->describe();
   say_renderer(renderer);
   say_memory(config.volumes, frames_->limits());
+  SessionSettings& settings = session_settings_;
+  if (settings.viewport_pixels == 0) {
+    settings.viewport_pixels =
+        renderer.software ? kViewportPixelsInSoftware : SessionSettings().viewport_pixels;
+  }
   if (renderer.software) {
-    SessionSettings& settings = session_settings_;
     settings.still_rays = std::min(settings.still_rays, kStillRaysInSoftware);
     settings.first_resolution_scale =
         std::min(settings.first_resolution_scale, kFirstScaleInSoftware);
-    settings.viewport_pixels = std::min(settings.viewport_pixels, kViewportPixelsInSoftware);
   }
   capabilities_ =
       std::make_shared<const std::string>(capabilities_text(config, session_settings_, renderer));

@@ -2,10 +2,10 @@
 
 #include <turbojpeg.h>
 
+#include <array>
 #include <memory>
 #include <string>
 
-#include "core/check.h"
 #include "core/error.h"
 
 namespace cutaway {
@@ -23,43 +23,39 @@ void* thread_compressor() {
   return compressor.get();
 }
 
-void check_sizes(const YcbcrPlanes& picture) {
-  const int block_px = picture.halved_chroma ? 2 : 1;
-  const auto columns = static_cast<std::size_t>((picture.width_px + block_px - 1) / block_px);
-  const auto rows = static_cast<std::size_t>((picture.height_px + block_px - 1) / block_px);
-  check_equal(picture.planes[0].size(), columns * rows * block_px * block_px,
-              "size of the luma plane");
-  check_equal(picture.planes[1].size(), columns * rows, "size of the Cb plane");
-  check_equal(picture.planes[2].size(), columns * rows, "size of the Cr plane");
-}
-
 Error refused() {
   return Error(
       {.code = "internal", .message = std::string("JPEG: ") + tjGetErrorStr2(thread_compressor())});
 }
 
-std::vector<std::uint8_t> room_for(const YcbcrPlanes& picture, int sampling) {
+std::vector<std::uint8_t> room_for(glm::ivec2 size_px, int sampling) {
   constexpr auto kNoSuchSize = static_cast<unsigned long>(-1);
-  const unsigned long bytes = tjBufSize(picture.width_px, picture.height_px, sampling);
+  const unsigned long bytes = tjBufSize(size_px.x, size_px.y, sampling);
   if (bytes == kNoSuchSize) throw refused();
   return std::vector<std::uint8_t>(bytes);
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_jpeg(const YcbcrPlanes& picture, int quality) {
-  check_sizes(picture);
-  const int sampling = picture.halved_chroma ? TJSAMP_420 : TJSAMP_444;
-  std::vector<std::uint8_t> jpeg = room_for(picture, sampling);
-  std::array<const unsigned char*, 3> planes{picture.planes[0].data(), picture.planes[1].data(),
-                                             picture.planes[2].data()};
-  unsigned char* out = jpeg.data();
-  unsigned long size = jpeg.size();
+JpegPicture encode_jpeg(const Picture& picture, int quality) {
+  if (picture.layout() == PixelLayout::rgba)
+    throw Error({.code = "internal", .message = "JPEG: it is made from YCbCr and not from RGBA"});
+  const glm::ivec2 size_px = picture.size_px();
+  const int sampling = picture.layout() == PixelLayout::yuv420 ? TJSAMP_420 : TJSAMP_444;
+  JpegPicture jpeg{size_px, room_for(size_px, sampling)};
+  std::array<const unsigned char*, 3> planes{};
+  std::array<int, 3> strides{};
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    planes[i] = picture.plane(i).bytes().data();
+    strides[i] = static_cast<int>(picture.plane(i).stride_bytes());
+  }
+  unsigned char* out = jpeg.bytes.data();
+  unsigned long size = jpeg.bytes.size();
   const int failed =
-      tjCompressFromYUVPlanes(thread_compressor(), planes.data(), picture.width_px, nullptr,
-                              picture.height_px, sampling, &out, &size, quality, TJFLAG_NOREALLOC);
+      tjCompressFromYUVPlanes(thread_compressor(), planes.data(), size_px.x, strides.data(),
+                              size_px.y, sampling, &out, &size, quality, TJFLAG_NOREALLOC);
   if (failed != 0) throw refused();
-  jpeg.resize(size);
+  jpeg.bytes.resize(size);
   return jpeg;
 }
 

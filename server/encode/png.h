@@ -1,15 +1,12 @@
 // Lossless stills.
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <vector>
+#include "core/picture.h"
 
 namespace cutaway {
 
-/// Display-encoded sRGB, 4 bytes a pixel, rows top first; alpha is dropped. Any thread. Throws
-/// Error "internal".
-std::vector<std::uint8_t> encode_png(std::span<const std::uint8_t> rgba, int width_px,
-                                     int height_px);
+/// `picture` is RGBA; alpha is dropped. Any thread. Throws Error "internal" for any other layout
+/// and when the library refuses.
+PngPicture encode_png(const Picture& picture);
 
 }  // namespace cutaway

@@ -72,6 +72,10 @@ Context::Context(EGLDisplay display, EGLContext context) : display_(display), co
   version_ = gl_string(GL_VERSION);
   software_ = names_software(renderer_);
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &max_3d_texture_size_);
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &max_texture_size_);
+  std::array<GLint, 2> viewport{};
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+  max_texture_size_ = std::min({max_texture_size_, viewport[0], viewport[1]});
 }
 
 Context::~Context() {

@@ -29,6 +29,8 @@ class Context {
   const std::string& version() const { return version_; }    ///< GL_VERSION
   bool is_software() const { return software_; }
   int max_3d_texture_size() const { return max_3d_texture_size_; }
+  /// Of a picture's texture, and of what is drawn into it.
+  int max_texture_size() const { return max_texture_size_; }
 
   /// True once the device was lost; nothing made in this context works any more.
   bool is_lost() const;
@@ -41,6 +43,7 @@ class Context {
   std::string version_;
   bool software_ = false;
   int max_3d_texture_size_ = 0;
+  int max_texture_size_ = 0;
 };
 
 }  // namespace cutaway::gl

@@ -3,17 +3,12 @@
 
 #include <initializer_list>
 
+#include "core/pixel_rect.h"
 #include "gl/texture.h"
 
 namespace cutaway::gl {
 
-/// Pixels [begin, end), row 0 first in memory.
-struct PixelRect {
-  glm::ivec2 begin{0};
-  glm::ivec2 end{0};
-  bool is_empty() const { return end.x <= begin.x || end.y <= begin.y; }
-  bool operator==(const PixelRect&) const = default;
-};
+using cutaway::PixelRect;
 
 /// Depths as GL counts them.
 inline constexpr float kNearest = 0.0F;

@@ -7,11 +7,20 @@
 
 namespace cutaway::gl {
 
+namespace {
+
+GLenum format_of(const PixelReadback::Source& source) {
+  check(source.bytes_per_pixel == 1 || source.bytes_per_pixel == 4, "a pixel is red or RGBA");
+  return source.bytes_per_pixel == 1 ? GL_RED : GL_RGBA;
+}
+
+}  // namespace
+
 PixelReadback& PixelReadback::operator=(PixelReadback&& other) noexcept {
   std::swap(buffer_, other.buffer_);
   std::swap(mapped_, other.mapped_);
   std::swap(capacity_, other.capacity_);
-  std::swap(sizes_, other.sizes_);
+  std::swap(shapes_, other.shapes_);
   std::swap(fence_, other.fence_);
   return *this;
 }
@@ -31,42 +40,42 @@ void PixelReadback::reserve(std::size_t bytes) {
 
 void PixelReadback::start(std::span<const Source> sources) {
   check(!is_pending(), "no transfer is pending");
-  sizes_.clear();
+  shapes_.clear();
   std::size_t total = 0;
   for (const Source& source : sources) {
-    sizes_.push_back(static_cast<std::size_t>(source.size_px.x) * source.size_px.y *
-                     source.bytes_per_pixel);
-    total += sizes_.back();
+    shapes_.push_back({source.size_px, source.bytes_per_pixel});
+    total += packed_bytes(source.size_px, source.bytes_per_pixel);
   }
   reserve(total);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.name());
   std::size_t offset = 0;
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    const Source& source = sources[i];
+  for (const Source& source : sources) {
     glNamedFramebufferReadBuffer(source.framebuffer->name(),
                                  GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(source.attachment));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, source.framebuffer->name());
     glReadPixels(
-        0, 0, source.size_px.x, source.size_px.y, source.format, GL_UNSIGNED_BYTE,
+        0, 0, source.size_px.x, source.size_px.y, format_of(source), GL_UNSIGNED_BYTE,
         reinterpret_cast<void*>(offset));  // NOLINT(performance-no-int-to-ptr): GL's own way
-    offset += sizes_[i];
+    offset += packed_bytes(source.size_px, source.bytes_per_pixel);
   }
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   fence_ = Fence::insert();
 }
 
-std::vector<std::vector<std::uint8_t>> PixelReadback::finish() {
+std::vector<PixelPlane> PixelReadback::finish() {
   check(is_pending(), "a transfer is pending");
   fence_.wait();
   fence_ = Fence();
-  std::vector<std::vector<std::uint8_t>> pixels;
-  const std::uint8_t* from = mapped_;
-  for (const std::size_t size : sizes_) {
-    pixels.emplace_back(from, from + size);
-    from += size;
+  std::vector<PixelPlane> planes;
+  std::span<const std::uint8_t> rest(mapped_, capacity_);
+  for (const PlaneShape& shape : shapes_) {
+    const std::size_t bytes = packed_bytes(shape.size_px, shape.bytes_per_pixel);
+    check(bytes <= rest.size(), "the transfer lies in its buffer");
+    planes.emplace_back(shape.size_px, shape.bytes_per_pixel, rest.first(bytes));
+    rest = rest.subspan(bytes);
   }
-  return pixels;
+  return planes;
 }
 
 }  // namespace cutaway::gl

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/picture.h"
 #include "gl/fence.h"
 #include "gl/framebuffer.h"
 
@@ -17,9 +18,8 @@ class PixelReadback {
   struct Source {
     const Framebuffer* framebuffer;
     glm::ivec2 size_px;
-    int attachment;  ///< colour attachment to read
-    GLenum format;   ///< GL_RED or GL_RGBA, as bytes
-    int bytes_per_pixel;
+    int attachment;       ///< colour attachment to read
+    int bytes_per_pixel;  ///< 1: the red channel; 4: RGBA
   };
 
   /// Starts the transfer of all sources, one after the other, rows top first and tightly packed.
@@ -30,8 +30,8 @@ class PixelReadback {
   bool is_ready() const { return fence_.is_reached(); }
   /// What its buffer takes on the device.
   std::size_t capacity() const { return capacity_; }
-  /// Waits until they have, then copies them out, one vector per source.
-  std::vector<std::vector<std::uint8_t>> finish();
+  /// Waits until they have, then copies them out, one plane per source.
+  std::vector<PixelPlane> finish();
 
   PixelReadback() = default;
   PixelReadback(PixelReadback&& other) noexcept { *this = std::move(other); }
@@ -42,7 +42,7 @@ class PixelReadback {
   BufferHandle buffer_;
   const std::uint8_t* mapped_ = nullptr;
   std::size_t capacity_ = 0;
-  std::vector<std::size_t> sizes_;
+  std::vector<PlaneShape> shapes_;  ///< of the transfer that is pending
   Fence fence_;
 };
 

@@ -19,6 +19,8 @@ TextureHandle create_texture(GLenum target, Filtering filtering) {
   return TextureHandle(name);
 }
 
+}  // namespace
+
 std::uint64_t texel_bytes(GLenum internal_format) {
   switch (internal_format) {
     case GL_RGBA32F:
@@ -34,8 +36,6 @@ std::uint64_t texel_bytes(GLenum internal_format) {
       return 1;
   }
 }
-
-}  // namespace
 
 Texture2D::Texture2D(GLenum internal_format, glm::ivec2 size_px, Filtering filtering)
     : handle_(create_texture(GL_TEXTURE_2D, filtering)),

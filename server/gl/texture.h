@@ -10,6 +10,9 @@ namespace cutaway::gl {
 
 enum class Filtering { nearest, linear };
 
+/// Of a format in use here.
+std::uint64_t texel_bytes(GLenum internal_format);
+
 /// Clamped to the edge. Its format is one of GL's sized internal formats.
 class Texture2D {
  public:

@@ -23,13 +23,14 @@ void ConvertPass::run(PixelLayout layout, const ViewBuffers& buffers,
 
 std::vector<gl::PixelReadback::Source> readback_sources(PixelLayout layout,
                                                         const ViewBuffers& buffers) {
-  if (layout == PixelLayout::rgba) {
-    return {{&buffers.picture.framebuffer, buffers.picture_size_px(), 0, GL_RGBA, 4}};
-  }
-  const glm::ivec2 chroma_size_px = buffers.chroma_size_px(layout);
-  return {{&buffers.luma.framebuffer, buffers.luma_size_px(layout), 0, GL_RED, 1},
-          {&buffers.chroma_target, chroma_size_px, 0, GL_RED, 1},
-          {&buffers.chroma_target, chroma_size_px, 1, GL_RED, 1}};
+  const std::vector<PlaneShape> shapes = plane_shapes(layout, buffers.picture_size_px());
+  const auto source = [&](std::size_t plane, const gl::Framebuffer& framebuffer, int attachment) {
+    return gl::PixelReadback::Source{&framebuffer, shapes[plane].size_px, attachment,
+                                     shapes[plane].bytes_per_pixel};
+  };
+  if (layout == PixelLayout::rgba) return {source(0, buffers.picture.framebuffer, 0)};
+  return {source(0, buffers.luma.framebuffer, 0), source(1, buffers.chroma_target, 0),
+          source(2, buffers.chroma_target, 1)};
 }
 
 }  // namespace cutaway

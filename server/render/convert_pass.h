@@ -27,7 +27,7 @@ class ConvertPass {
   gl::Program full_chroma_;
 };
 
-/// Where a layout's pixels lie once they are converted, in the order of Pixels::planes.
+/// Where a layout's pixels lie once they are converted, in the order of plane_shapes.
 std::vector<gl::PixelReadback::Source> readback_sources(PixelLayout layout,
                                                         const ViewBuffers& buffers);
 

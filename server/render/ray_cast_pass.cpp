@@ -124,9 +124,8 @@ void RayCastPass::draw(const Entry& entry, const RayCastKey& key, GpuVolume& vol
   volume.set_empty_space(
       program, 1, volume.empty_space(key.surfaces[kContext].band, key.surfaces[kFocus].band));
   program.set_texture("entry_texture", 2, buffers.entry.name());
-  set_view_rays(program, key.rays);
-  program.set("pixel_size", 2.0F * glm::length(key.rays.view_up) /
-                                static_cast<float>(buffers.picture_size_px().y));
+  set_view_rays(program, key.rays, buffers.supersampling());
+  program.set("pixel_size", 2.0F * glm::length(key.rays.view_up) / key.rays.whole_px.y);
   set_search(program, key, volume);
   set_lens(program, key.lens);
   if (key.is_translucent()) set_looks(program, key);

@@ -4,14 +4,10 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
-#include <vector>
+
+#include "core/picture.h"
 
 namespace cutaway {
-
-/// yuv420 and yuv444: planes Y, Cb, Cr of full-range YCbCr (ITU-T T.871). Chroma of 420 is half the
-/// picture's size, rounded up, and its luma twice that: odd sides are padded by repeating the last
-/// column and row. rgba: one plane, 4 bytes a pixel.
-enum class PixelLayout { yuv420, yuv444, rgba };
 
 /// Each way. Shading has a program for each number.
 inline constexpr int kMostSupersampling = 4;
@@ -37,12 +33,5 @@ struct RenderSettings {
 inline PictureTile tile_of(const RenderSettings& settings) {
   return settings.tile.value_or(PictureTile{{0, 0}, settings.picture_size_px});
 }
-
-/// Rows top first, tightly packed.
-struct Pixels {
-  PixelLayout layout = PixelLayout::rgba;
-  glm::ivec2 size_px{0};
-  std::vector<std::vector<std::uint8_t>> planes;
-};
 
 }  // namespace cutaway

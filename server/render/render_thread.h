@@ -31,10 +31,12 @@ struct RenderRequest {
   std::shared_ptr<const void> label;  ///< the caller's own, handed back with the frame
   /// Given up, even while it is drawn, when a newer request of the view waits; else it is finished.
   bool yields = false;
+  /// What stays in the buffers serves the view's next frame; else they are best kept small.
+  bool is_followed = true;
 };
 
 struct RenderedFrame {
-  Pixels pixels;
+  Picture picture;
   std::uint32_t render_us = 0;  ///< from the job's begin until its pixels had arrived
   bool cast_rays = false;       ///< else what was kept of the view's last frame was enough
   std::shared_ptr<const void> label;

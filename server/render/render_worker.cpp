@@ -1,6 +1,9 @@
 #include "render/render_worker.h"
 
 #include <algorithm>
+#include <limits>
+#include <new>
+#include <utility>
 
 #include "core/log.h"
 
@@ -16,15 +19,23 @@ constexpr std::chrono::seconds kIdleViews{60};
 /// Of an upload between two frames.
 constexpr std::chrono::milliseconds kUploadTurn{10};
 
-Pixels pixels_of(const RenderSettings& settings, gl::PixelReadback& readback) {
-  return {settings.layout, settings.picture_size_px, readback.finish()};
+Error no_memory() {
+  return Error({.code = "too-large",
+                .message = "there is not enough memory for a picture of this size",
+                .field = "/width_px"});
 }
 
 /// What the one who asked is told of an exception; the log has the rest.
 Error told(const std::exception& failure, std::uint64_t view) {
   if (const auto* error = dynamic_cast<const Error*>(&failure)) return *error;
+  if (dynamic_cast<const std::bad_alloc*>(&failure) != nullptr) return no_memory();
   log().error("view {} could not be drawn: {}", view, failure.what());
   return Error({.code = "render-failed", .message = "the picture could not be drawn"});
+}
+
+std::uint32_t microseconds(std::chrono::microseconds spent) {
+  constexpr std::int64_t kLongest = std::numeric_limits<std::uint32_t>::max();
+  return static_cast<std::uint32_t>(std::min<std::int64_t>(spent.count(), kLongest));
 }
 
 /// What the receiver throws is its own failure and ends nobody else's frames.
@@ -41,6 +52,7 @@ void hand_over(const RenderJob& job, RenderOutcome outcome) {
 RenderWorker::RenderWorker(const gl::Context& context, const RenderLimits& limits)
     : context_(context),
       step_cost_(limits.step),
+      view_bytes_(limits.view_bytes),
       views_(limits.view_bytes),
       volumes_(context.max_3d_texture_size(), limits.volume_bytes) {}
 
@@ -49,7 +61,7 @@ bool RenderWorker::draw_some(JobQueue<RenderJob>& queue) {
   if (waiting.empty()) return false;
   const std::uint64_t view = next_view(waiting);
   Place drawing = find(view);
-  if (drawing != drawing_.end() && drawing->job.request.yields && queue.has(view)) {
+  if (drawing != drawing_.end() && drawing->request().yields && queue.has(view)) {
     end(drawing, RenderReplaced{});
     drawing = drawing_.end();
   }
@@ -69,7 +81,7 @@ std::vector<RenderWorker::Waiting> RenderWorker::views_that_wait(
     const JobQueue<RenderJob>& queue) const {
   std::vector<Waiting> views;
   for (const Drawing& drawing : drawing_)
-    views.push_back({drawing.job.view(), drawing.job.request.share});
+    views.push_back({drawing.view(), drawing.request().share});
   if (!drawing_.empty() && !views_.has_room()) return views;
   queue.for_each([&views](const RenderJob& job) {
     if (std::ranges::find(views, job.view(), &Waiting::view) == views.end())
@@ -96,46 +108,62 @@ void RenderWorker::charge(const RenderRequest& request, std::int64_t cost) {
 }
 
 RenderWorker::Place RenderWorker::find(std::uint64_t view) {
-  return std::ranges::find_if(drawing_,
-                              [=](const Drawing& each) { return each.job.view() == view; });
+  return std::ranges::find_if(drawing_, [=](const Drawing& each) { return each.view() == view; });
+}
+
+// With all that is drawn beside it a part stays within the views' memory (ViewShelf::has_room). One
+// whose buffers serve nothing after it leaves more of them to those that do.
+PartLimits RenderWorker::part_limits(bool is_followed) const {
+  return {.bytes = view_bytes_ / (is_followed ? 2 : 4), .side_px = context_.max_texture_size()};
 }
 
 /// False where it has failed.
 bool RenderWorker::begin(RenderJob job) {
-  Drawing drawing{std::move(job), nullptr, {}, Clock::now()};
-  const RenderRequest& request = drawing.job.request;
-  ViewState& view = views_.pin(request.view);
+  auto commission = std::make_shared<Commission>(std::move(job), Clock::now());
+  const RenderRequest& request = commission->job.request;
+  views_.pin(request.view);
   try {
     check_device();
+    commission->parts =
+        PictureParts(*request.scene, request.settings, part_limits(request.is_followed));
     volumes_.show(request.view, request.volume);
-    drawing.volume = volumes_.use(request.volume);
+    Drawing drawing{commission, volumes_.use(request.volume), {}};
     drawing.volume->upload_rest();
-    drawing.plan = pipeline_.plan(view, *request.scene, *drawing.volume, request.settings);
-    drawing.cast_rays = drawing.plan.has(kRayCast);
-    views_.keep_within_limit();
+    plan_part(drawing);
     drawing_.push_back(std::move(drawing));
     return true;
   } catch (const std::exception& failure) {
     views_.unpin(request.view);
-    hand_over(drawing.job, told(failure, request.view));
+    conclude(*commission, told(failure, request.view));
     return false;
   }
 }
 
+void RenderWorker::plan_part(Drawing& drawing) {
+  Commission& commission = *drawing.commission;
+  const RenderRequest& request = commission.job.request;
+  drawing.plan = pipeline_.plan(views_.pinned(request.view), *request.scene, *drawing.volume,
+                                commission.parts.settings(drawing.part));
+  commission.cast_rays = commission.cast_rays || drawing.plan.has(kRayCast);
+  views_.keep_within_limit();
+}
+
 void RenderWorker::step(Place drawing) {
-  const std::uint64_t view = drawing->job.view();
+  const Commission& commission = *drawing->commission;
   try {
     check_device();
-    charge(drawing->job.request, drawing->plan.advance(step_cost_));
+    if (!commission.is_ended) charge(drawing->request(), drawing->plan.advance(step_cost_));
     keep_pace();
-    if (!drawing->plan.is_done()) return;
-    read_back(*drawing);
+    if (!commission.is_ended && !drawing->plan.is_done()) return;
+    if (!commission.is_ended) read_back(*drawing);
+    // A part before it may have failed on its way.
+    const bool goes_on = !commission.is_ended && ++drawing->part < commission.parts.count();
+    if (goes_on) return plan_part(*drawing);
   } catch (const std::exception& failure) {
-    return end(drawing, told(failure, view));
+    return end(drawing, told(failure, drawing->view()));
   }
-  views_.unpin(view);
+  views_.unpin(drawing->view());
   drawing_.erase(drawing);
-  if (pending_.size() >= kReadbacksInFlight) finish(true);
 }
 
 // The device may have a step or two ahead of it, or it would run dry, and no more, or a small frame
@@ -147,23 +175,28 @@ void RenderWorker::keep_pace() {
   steps_.pop_front();
 }
 
-void RenderWorker::read_back(Drawing& drawing) {
+void RenderWorker::read_back(const Drawing& drawing) {
+  if (pending_.size() >= kReadbacksInFlight) finish(true);
   gl::PixelReadback readback;
   if (!idle_readbacks_.empty()) {
     readback = std::move(idle_readbacks_.back());
     idle_readbacks_.pop_back();
   }
-  const RenderRequest& request = drawing.job.request;
+  const RenderRequest& request = drawing.request();
   FramePipeline::start_readback(views_.pinned(request.view), request.settings.layout, readback);
-  pending_.push_back(
-      {std::move(drawing.job), std::move(readback), drawing.begun, drawing.cast_rays});
+  pending_.push_back({drawing.commission, drawing.part, std::move(readback)});
 }
 
 void RenderWorker::end(Place drawing, RenderOutcome outcome) {
-  views_.unpin(drawing->job.view());
-  const RenderJob job = std::move(drawing->job);
+  const std::shared_ptr<Commission> commission = drawing->commission;
+  views_.unpin(drawing->view());
   drawing_.erase(drawing);
-  hand_over(job, std::move(outcome));
+  conclude(*commission, std::move(outcome));
+}
+
+// Once: what comes after it has no receiver any more.
+void RenderWorker::conclude(Commission& commission, RenderOutcome outcome) {
+  if (!std::exchange(commission.is_ended, true)) hand_over(commission.job, std::move(outcome));
 }
 
 void RenderWorker::release(std::span<const std::uint64_t> views) {
@@ -204,19 +237,26 @@ void RenderWorker::finish(bool wait) {
 }
 
 void RenderWorker::deliver(Pending& pending) {
-  const RenderRequest& request = pending.job.request;
+  Commission& commission = *pending.commission;
   try {
-    RenderedFrame frame{.pixels = pixels_of(request.settings, pending.readback),
-                        .cast_rays = pending.cast_rays,
-                        .label = request.label};
-    const auto spent =
-        std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - pending.begun);
-    frame.render_us = static_cast<std::uint32_t>(spent.count());
+    std::vector<PixelPlane> planes = pending.readback.finish();
     keep(std::move(pending.readback));
-    hand_over(pending.job, std::move(frame));
+    if (commission.is_ended) return;
+    const RenderSettings drawn = commission.parts.settings(pending.part);
+    commission.parts.take(pending.part, {drawn.layout, drawn.picture_size_px, std::move(planes)});
+    if (commission.parts.is_whole()) conclude(commission, frame_of(commission));
   } catch (const std::exception& failure) {
-    hand_over(pending.job, told(failure, request.view));
+    conclude(commission, told(failure, commission.job.view()));
   }
+}
+
+RenderedFrame RenderWorker::frame_of(Commission& commission) {
+  const auto spent =
+      std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - commission.begun);
+  return {.picture = commission.parts.whole(),
+          .render_us = microseconds(spent),
+          .cast_rays = commission.cast_rays,
+          .label = commission.job.request.label};
 }
 
 // A large buffer is not kept for the small frames after it.

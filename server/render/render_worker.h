@@ -10,6 +10,7 @@
 #include "render/device_volumes.h"
 #include "render/fair_share.h"
 #include "render/frame_pipeline.h"
+#include "render/picture_parts.h"
 #include "render/render_thread.h"
 #include "render/view_shelf.h"
 
@@ -47,18 +48,28 @@ class RenderWorker {
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct Drawing {
+  /// A frame from its begin until the last of its pixels have arrived.
+  struct Commission {
+    Commission(RenderJob asked, Clock::time_point now) : job(std::move(asked)), begun(now) {}
     RenderJob job;
-    std::shared_ptr<GpuVolume> volume;  ///< held: the volumes' limit must not take it away now
-    FramePlan plan;
     Clock::time_point begun;
+    PictureParts parts;
     bool cast_rays = false;
+    bool is_ended = false;  ///< its outcome was handed over: pixels on their way are in vain
+  };
+  struct Drawing {
+    std::shared_ptr<Commission> commission;
+    std::shared_ptr<GpuVolume> volume;  ///< held: the volumes' limit must not take it away now
+    FramePlan plan;                     ///< of the part at hand
+    std::size_t part = 0;
+
+    std::uint64_t view() const { return commission->job.view(); }
+    const RenderRequest& request() const { return commission->job.request; }
   };
   struct Pending {
-    RenderJob job;
+    std::shared_ptr<Commission> commission;
+    std::size_t part;
     gl::PixelReadback readback;
-    Clock::time_point begun;
-    bool cast_rays = false;
   };
   using Place = std::list<Drawing>::iterator;
 
@@ -76,15 +87,20 @@ class RenderWorker {
   bool begin(RenderJob job);
   void step(Place drawing);
   void end(Place drawing, RenderOutcome outcome);
-  void read_back(Drawing& drawing);
+  void plan_part(Drawing& drawing);
+  void read_back(const Drawing& drawing);
   void keep_pace();
   void check_device();
   bool advance(const UploadJob& job);
   void deliver(Pending& pending);
+  PartLimits part_limits(bool is_followed) const;
+  static void conclude(Commission& commission, RenderOutcome outcome);
+  static RenderedFrame frame_of(Commission& commission);
   void keep(gl::PixelReadback readback);
 
   const gl::Context& context_;
   std::int64_t step_cost_;
+  std::uint64_t view_bytes_;
   bool lost_ = false;
   FramePipeline pipeline_;
   ViewShelf views_;

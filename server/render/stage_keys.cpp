@@ -19,6 +19,10 @@ Lens region_of(Lens lens) {
   return lens;
 }
 
+bool is_translucent(const Scene& scene) {
+  return scene.context.surface.opacity < 1.0 || scene.focus.surface.opacity < 1.0;
+}
+
 }  // namespace
 
 std::array<Look, kBranches> looks_of(const Scene& scene) {
@@ -35,8 +39,7 @@ RayCastKey ray_cast_key(const Scene& scene, const GpuVolume& volume,
       .lens = region_of(scene.lens),
       .step_voxels = settings.step_voxels,
       .skip_empty_space = settings.skip_empty_space};
-  if (scene.context.surface.opacity < 1.0 || scene.focus.surface.opacity < 1.0)
-    key.looks = looks_of(scene);
+  if (is_translucent(scene)) key.looks = looks_of(scene);
   return key;
 }
 
@@ -53,6 +56,16 @@ int farthest_reach_px(const Scene& scene, double resolution_scale) {
           reach_px, FilterPass::reach_px({.filter = filter, .resolution_scale = resolution_scale}));
   }
   return reach_px;
+}
+
+BufferNeeds needs_of(const Scene& scene, const RenderSettings& settings) {
+  return {.picture_size_px = settings.picture_size_px,
+          .supersampling = settings.supersampling,
+          .layout = settings.layout,
+          .casts_rays = scene.viewport.kind == ViewKind::volume,
+          .is_translucent = is_translucent(scene),
+          .filters = {scene.context.filters.size(), scene.focus.filters.size()},
+          .reach_px = farthest_reach_px(scene, settings.resolution_scale)};
 }
 
 int tile_margin_px(const Scene& scene) {

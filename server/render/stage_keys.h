@@ -24,6 +24,9 @@ std::optional<MagicLens> magic_lens(const Scene& scene, const ViewRays& rays);
 /// How far a filter of the scene reads beside a pixel by its sums.
 int farthest_reach_px(const Scene& scene, double resolution_scale);
 
+/// Of the buffers in which such a picture of the scene is drawn.
+BufferNeeds needs_of(const Scene& scene, const RenderSettings& settings);
+
 /// By how much a tile must be larger on each side for what its filters read beside it: what lies
 /// further in is as in the whole picture.
 int tile_margin_px(const Scene& scene);

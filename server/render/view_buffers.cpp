@@ -1,8 +1,29 @@
 #include "render/view_buffers.h"
 
+#include <algorithm>
+
 namespace cutaway {
 
 namespace {
+
+constexpr GLenum kEntryFormat = GL_R32F;
+constexpr GLenum kDepthFormat = GL_DEPTH_COMPONENT32F;
+constexpr GLenum kSurfaceFormat = GL_RGBA32F;
+constexpr GLenum kLayersFormat = GL_RGBA32F;
+constexpr GLenum kColourFormat = GL_RGBA16F;
+constexpr GLenum kSilhouetteFormat = GL_R8;
+constexpr GLenum kPictureFormat = GL_RGBA8;
+constexpr GLenum kPlaneFormat = GL_R8;
+constexpr GLenum kSumsFormat = GL_RGBA32F;
+constexpr GLenum kSquaresFormat = GL_R32F;
+
+/// Of filters' first step and of their second.
+glm::ivec2 rows_size_px(glm::ivec2 picture_size_px, int reach_px) {
+  return picture_size_px + glm::ivec2(reach_px, 2 * reach_px);
+}
+glm::ivec2 windows_size_px(glm::ivec2 picture_size_px, int reach_px) {
+  return picture_size_px + reach_px;
+}
 
 ColourTarget colour_target(GLenum format, glm::ivec2 size_px,
                            const gl::Texture2D* depth = nullptr) {
@@ -15,11 +36,11 @@ ColourTarget colour_target(GLenum format, glm::ivec2 size_px,
 }  // namespace
 
 FilterSums filter_sums(glm::ivec2 picture_size_px, int reach_px) {
-  const glm::ivec2 windows_px = picture_size_px + reach_px;
-  const glm::ivec2 rows_px = windows_px + glm::ivec2(0, reach_px);
-  FilterSums sums{.colour_sums = {GL_RGBA32F, rows_px, gl::Filtering::nearest},
-                  .square_sums = {GL_R32F, rows_px, gl::Filtering::nearest},
-                  .windows = {GL_RGBA32F, windows_px, gl::Filtering::nearest}};
+  const glm::ivec2 windows_px = windows_size_px(picture_size_px, reach_px);
+  const glm::ivec2 rows_px = rows_size_px(picture_size_px, reach_px);
+  FilterSums sums{.colour_sums = {kSumsFormat, rows_px, gl::Filtering::nearest},
+                  .square_sums = {kSquaresFormat, rows_px, gl::Filtering::nearest},
+                  .windows = {kSumsFormat, windows_px, gl::Filtering::nearest}};
   sums.rows_target = gl::Framebuffer({&sums.colour_sums, &sums.square_sums});
   sums.windows_target = gl::Framebuffer({&sums.windows});
   return sums;
@@ -27,17 +48,17 @@ FilterSums filter_sums(glm::ivec2 picture_size_px, int reach_px) {
 
 ViewBuffers::ViewBuffers(glm::ivec2 picture_size_px, int supersampling)
     : picture_size_px_(picture_size_px), supersampling_(supersampling) {
-  picture = colour_target(GL_RGBA8, picture_size_px);
+  picture = colour_target(kPictureFormat, picture_size_px);
 }
 
 void ViewBuffers::prepare_rays() {
   if (entry.name() != 0) return;
-  entry = gl::Texture2D(GL_R32F, surface_size_px(), gl::Filtering::nearest);
-  entry_depth = gl::Texture2D(GL_DEPTH_COMPONENT32F, surface_size_px(), gl::Filtering::nearest);
+  entry = gl::Texture2D(kEntryFormat, surface_size_px(), gl::Filtering::nearest);
+  entry_depth = gl::Texture2D(kDepthFormat, surface_size_px(), gl::Filtering::nearest);
   for (BranchBuffers& branch : branches) {
-    branch.surface = gl::Texture2D(GL_RGBA32F, surface_size_px(), gl::Filtering::nearest);
-    branch.shaded = gl::Texture2D(GL_RGBA16F, picture_size_px_, gl::Filtering::nearest);
-    branch.silhouette = gl::Texture2D(GL_R8, picture_size_px_, gl::Filtering::nearest);
+    branch.surface = gl::Texture2D(kSurfaceFormat, surface_size_px(), gl::Filtering::nearest);
+    branch.shaded = gl::Texture2D(kColourFormat, picture_size_px_, gl::Filtering::nearest);
+    branch.silhouette = gl::Texture2D(kSilhouetteFormat, picture_size_px_, gl::Filtering::nearest);
     branch.shade_target = gl::Framebuffer({&branch.shaded, &branch.silhouette}, picture_depth());
   }
   entry_target = gl::Framebuffer({&entry}, &entry_depth);
@@ -53,18 +74,10 @@ bool ViewBuffers::fits(const RenderSettings& settings) const {
   return picture_size_px_ == settings.picture_size_px && supersampling_ == settings.supersampling;
 }
 
-glm::ivec2 ViewBuffers::chroma_size_px(PixelLayout layout) const {
-  return layout == PixelLayout::yuv420 ? (picture_size_px_ + 1) / 2 : picture_size_px_;
-}
-
-glm::ivec2 ViewBuffers::luma_size_px(PixelLayout layout) const {
-  return layout == PixelLayout::yuv420 ? chroma_size_px(layout) * 2 : picture_size_px_;
-}
-
 ColourTarget& ViewBuffers::filtered(BranchIndex branch, std::size_t index) {
   auto& targets = branches[branch].filtered;
   while (targets.size() <= index)
-    targets.push_back(colour_target(GL_RGBA16F, picture_size_px_, picture_depth()));
+    targets.push_back(colour_target(kColourFormat, picture_size_px_, picture_depth()));
   return targets[index];
 }
 
@@ -89,7 +102,7 @@ void ViewBuffers::prepare_sums(int reach_px) {
 void ViewBuffers::prepare_layers() {
   if (branches[kContext].layers.name() != 0) return;
   for (BranchBuffers& branch : branches)
-    branch.layers = gl::Texture2D(GL_RGBA32F, surface_size_px(), gl::Filtering::nearest);
+    branch.layers = gl::Texture2D(kLayersFormat, surface_size_px(), gl::Filtering::nearest);
   layers_target = gl::Framebuffer({&branches[kContext].surface, &branches[kFocus].surface,
                                    &branches[kContext].layers, &branches[kFocus].layers},
                                   &entry_depth);
@@ -97,12 +110,63 @@ void ViewBuffers::prepare_layers() {
 
 void ViewBuffers::prepare_planes(PixelLayout layout) {
   if (layout == PixelLayout::rgba) return;
-  if (cb.size_px() == chroma_size_px(layout) && luma.texture.size_px() == luma_size_px(layout))
-    return;
-  luma = colour_target(GL_R8, luma_size_px(layout));
-  cb = gl::Texture2D(GL_R8, chroma_size_px(layout), gl::Filtering::nearest);
-  cr = gl::Texture2D(GL_R8, chroma_size_px(layout), gl::Filtering::nearest);
+  const std::vector<PlaneShape> shapes = plane_shapes(layout, picture_size_px_);
+  if (cb.size_px() == shapes[1].size_px && luma.texture.size_px() == shapes[0].size_px) return;
+  luma = colour_target(kPlaneFormat, shapes[0].size_px);
+  cb = gl::Texture2D(kPlaneFormat, shapes[1].size_px, gl::Filtering::nearest);
+  cr = gl::Texture2D(kPlaneFormat, shapes[2].size_px, gl::Filtering::nearest);
   chroma_target = gl::Framebuffer({&cb, &cr});
+}
+
+namespace {
+
+std::uint64_t bytes(GLenum format, glm::ivec2 size_px) {
+  return std::uint64_t(size_px.x) * size_px.y * gl::texel_bytes(format);
+}
+
+std::uint64_t ray_bytes(const BufferNeeds& needs) {
+  const glm::ivec2 rays_px = needs.picture_size_px * needs.supersampling;
+  const std::uint64_t layers = needs.is_translucent ? bytes(kLayersFormat, rays_px) : 0;
+  return bytes(kEntryFormat, rays_px) + bytes(kDepthFormat, rays_px) +
+         kBranches * (bytes(kSurfaceFormat, rays_px) + layers);
+}
+
+std::uint64_t branch_bytes(const BufferNeeds& needs) {
+  std::uint64_t sum = 0;
+  for (const std::size_t filters : needs.filters)
+    sum += bytes(kSilhouetteFormat, needs.picture_size_px) +
+           (1 + filters) * bytes(kColourFormat, needs.picture_size_px);
+  return sum;
+}
+
+std::uint64_t sums_bytes(const BufferNeeds& needs) {
+  if (needs.reach_px == 0) return 0;
+  const glm::ivec2 rows_px = rows_size_px(needs.picture_size_px, needs.reach_px);
+  return bytes(kSumsFormat, rows_px) + bytes(kSquaresFormat, rows_px) +
+         bytes(kSumsFormat, windows_size_px(needs.picture_size_px, needs.reach_px));
+}
+
+std::uint64_t plane_bytes(const BufferNeeds& needs) {
+  std::uint64_t sum = 0;
+  if (needs.layout == PixelLayout::rgba) return sum;
+  for (const PlaneShape& shape : plane_shapes(needs.layout, needs.picture_size_px))
+    sum += bytes(kPlaneFormat, shape.size_px);
+  return sum;
+}
+
+}  // namespace
+
+std::uint64_t bytes_for(const BufferNeeds& needs) {
+  const std::uint64_t picture = bytes(kPictureFormat, needs.picture_size_px) + plane_bytes(needs);
+  if (!needs.casts_rays) return picture;
+  return picture + ray_bytes(needs) + branch_bytes(needs) + sums_bytes(needs);
+}
+
+int longest_side_px(const BufferNeeds& needs) {
+  const glm::ivec2 rays_px =
+      needs.casts_rays ? needs.picture_size_px * needs.supersampling : needs.picture_size_px;
+  const glm::ivec2 longest = glm::max(rays_px, rows_size_px(needs.picture_size_px, needs.reach_px));
+  return std::max(longest.x, longest.y) + 1;  // luma of an odd side is padded
 }
 
 }  // namespace cutaway

@@ -48,6 +48,22 @@ struct BranchBuffers {
       filtered;  ///< one for each filter, kept so that an unchanged one need not run again
 };
 
+/// What is drawn in them, as far as their size goes.
+struct BufferNeeds {
+  glm::ivec2 picture_size_px{0};
+  int supersampling = 1;
+  PixelLayout layout = PixelLayout::rgba;
+  bool casts_rays = true;
+  bool is_translucent = false;
+  std::array<std::size_t, kBranches> filters{};
+  int reach_px = 0;  ///< of filters' sums; 0: nobody needs them
+};
+
+/// What ViewBuffers take on the device once all of it is drawn.
+std::uint64_t bytes_for(const BufferNeeds& needs);
+/// The longest side of their textures.
+int longest_side_px(const BufferNeeds& needs);
+
 /// Render thread only.
 class ViewBuffers {
  public:
@@ -57,8 +73,6 @@ class ViewBuffers {
   glm::ivec2 picture_size_px() const { return picture_size_px_; }
   int supersampling() const { return supersampling_; }
   glm::ivec2 surface_size_px() const { return picture_size_px_ * supersampling_; }
-  glm::ivec2 luma_size_px(PixelLayout layout) const;
-  glm::ivec2 chroma_size_px(PixelLayout layout) const;
 
   /// What all of them take on the device.
   std::uint64_t bytes() const;

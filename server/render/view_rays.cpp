@@ -40,12 +40,14 @@ ViewRays in_tile(ViewRays rays, const RenderSettings& settings) {
   const PictureTile tile = tile_of(settings);
   const glm::dvec2 whole(tile.whole_size_px);
   const glm::dvec2 size(settings.picture_size_px);
+  rays.first_px = tile.begin_px;
+  rays.whole_px = tile.whole_size_px;
   rays.tile_scale = size / whole;
   rays.tile_centre = (2.0 * glm::dvec2(tile.begin_px) + size) / whole - 1.0;
   return rays;
 }
 
-void set_view_rays(const gl::Program& program, const ViewRays& rays) {
+void set_view_rays(const gl::Program& program, const ViewRays& rays, int fragments) {
   program.set("eye_mm", rays.eye_mm);
   program.set("view_forward", rays.view_forward);
   program.set("view_right", rays.view_right);
@@ -53,6 +55,8 @@ void set_view_rays(const gl::Program& program, const ViewRays& rays) {
   program.set("is_perspective", rays.is_perspective ? 1 : 0);
   program.set("patient_to_volume", rays.patient_to_volume);
   program.set("eye_in_volume", rays.eye_in_volume);
+  program.set("first_fragment", rays.first_px * static_cast<float>(fragments));
+  program.set("whole_fragments", rays.whole_px * static_cast<float>(fragments));
   program.set("tile_centre", rays.tile_centre);
   program.set("tile_scale", rays.tile_scale);
 }

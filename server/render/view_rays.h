@@ -20,6 +20,8 @@ struct ViewRays {
   bool is_perspective;
   glm::mat3 patient_to_volume;
   glm::vec3 eye_in_volume;
+  glm::vec2 first_px{0.0F};  ///< of the part, in the whole picture
+  glm::vec2 whole_px{1.0F};
   glm::vec2 tile_centre{0.0F};
   glm::vec2 tile_scale{1.0F};
   bool operator==(const ViewRays&) const = default;
@@ -30,6 +32,7 @@ ViewRays view_rays(const Camera& camera, Viewport viewport, const VolumeGeometry
 /// The same for a part of the picture.
 ViewRays in_tile(ViewRays rays, const RenderSettings& settings);
 
-void set_view_rays(const gl::Program& program, const ViewRays& rays);
+/// `fragments`: drawn for a pixel of the picture, each way.
+void set_view_rays(const gl::Program& program, const ViewRays& rays, int fragments = 1);
 
 }  // namespace cutaway

@@ -6,19 +6,20 @@
 #include "core/log.h"
 #include "encode/jpeg.h"
 #include "encode/png.h"
-#include "services/picture_tiles.h"
 
 namespace cutaway {
 
 namespace {
 
+/// A still that takes more than this until it is compressed is made by turn.
+constexpr std::size_t kLargeStillBytes = std::size_t{16} << 20;
+
 PixelLayout layout_for(const FrameRequest& request) {
-  if (request.encoding == PictureEncoding::png) return PixelLayout::rgba;
   return request.quality.chroma == ChromaSampling::yuv420 ? PixelLayout::yuv420
                                                           : PixelLayout::yuv444;
 }
 
-RenderSettings settings_for(const FrameRequest& request) {
+RenderSettings settings_for(const FrameRequest& request, PixelLayout layout) {
   const Viewport& viewport = request.scene->viewport;
   const double scale = request.quality.resolution_scale;
   const auto scaled = [&](int side_px) {
@@ -28,62 +29,66 @@ RenderSettings settings_for(const FrameRequest& request) {
           .resolution_scale = scale,
           .supersampling = request.quality.supersampling,
           .step_voxels = request.quality.step_voxels,
-          .layout = layout_for(request)};
+          .layout = layout};
 }
 
-std::vector<std::uint8_t> compress(const Pixels& pixels, int jpeg_quality) {
-  const int width_px = pixels.size_px.x;
-  const int height_px = pixels.size_px.y;
-  if (pixels.layout == PixelLayout::rgba)
-    return encode_png(pixels.planes.at(0), width_px, height_px);
-  return encode_jpeg({.width_px = width_px,
-                      .height_px = height_px,
-                      .halved_chroma = pixels.layout == PixelLayout::yuv420,
-                      .planes = {pixels.planes.at(0), pixels.planes.at(1), pixels.planes.at(2)}},
-                     jpeg_quality);
+bool is_large(const RenderRequest& still) {
+  const PlaneShape shape = plane_shapes(PixelLayout::rgba, still.settings.picture_size_px).front();
+  return packed_bytes(shape.size_px, shape.bytes_per_pixel) > kLargeStillBytes;
 }
 
-Frame encoded_frame(const RenderedFrame& rendered) {
+void compress(const Picture& picture, int jpeg_quality, JpegPicture& file) {
+  file = encode_jpeg(picture, jpeg_quality);
+}
+
+void compress(const Picture& picture, int /*jpeg_quality*/, PngPicture& file) {
+  file = encode_png(picture);
+}
+
+template <typename PictureFile>
+Made<PictureFile> compressed(const RenderedFrame& rendered) {
   const auto begun = std::chrono::steady_clock::now();
   const auto& request = *static_cast<const FrameRequest*>(rendered.label.get());
-  Frame frame{.picture = compress(rendered.pixels, request.quality.jpeg_quality),
-              .width_px = rendered.pixels.size_px.x,
-              .height_px = rendered.pixels.size_px.y,
-              .revision = request.revision,
-              .quality = request.quality,
-              .render_us = rendered.render_us,
-              .cast_rays = rendered.cast_rays};
+  Made<PictureFile> made{.revision = request.revision,
+                         .quality = request.quality,
+                         .render_us = rendered.render_us,
+                         .cast_rays = rendered.cast_rays};
+  compress(rendered.picture, request.quality.jpeg_quality, made.picture);
   const auto spent = std::chrono::steady_clock::now() - begun;
-  frame.encode_us = static_cast<std::uint32_t>(
+  made.encode_us = static_cast<std::uint32_t>(
       std::chrono::duration_cast<std::chrono::microseconds>(spent).count());
-  return frame;
+  return made;
 }
 
 Error volume_gone(const std::string& id) {
-  return Error({.code = "no-volume",
+  return Error({.code = "unknown-volume",
                 .message = "the volume is not in memory any more",
-                .field = "/volume",
+                .field = "/scene/volume",
                 .received = id});
 }
 
-FrameOutcome frame_of(const RenderOutcome& outcome) {
+/// Of a variant of what was made, FrameReplaced and Error.
+template <typename Outcome>
+Outcome outcome_of(const RenderOutcome& outcome) {
   if (std::holds_alternative<RenderReplaced>(outcome)) return FrameReplaced{};
   if (const auto* error = std::get_if<Error>(&outcome)) return *error;
+  using PictureFile = decltype(std::variant_alternative_t<0, Outcome>::picture);
   try {
-    return encoded_frame(std::get<RenderedFrame>(outcome));
+    return compressed<PictureFile>(std::get<RenderedFrame>(outcome));
   } catch (const Error& error) {
     return error;
   } catch (const std::exception& failure) {
-    log().error("a frame could not be compressed: {}", failure.what());
+    log().error("a picture could not be compressed: {}", failure.what());
     return Error({.code = "render-failed", .message = "the picture could not be compressed"});
   }
 }
 
-void hand_over(const RenderOutcome& outcome, const std::function<void(FrameOutcome)>& done) {
+template <typename Outcome>
+void hand_over(const RenderOutcome& outcome, const std::function<void(Outcome)>& done) {
   try {
-    done(frame_of(outcome));
+    done(outcome_of<Outcome>(outcome));
   } catch (const std::exception& failure) {
-    log().error("a frame was not taken: {}", failure.what());
+    log().error("a picture was not taken: {}", failure.what());
   }
 }
 
@@ -103,40 +108,60 @@ FrameService::~FrameService() {
   encoders_.finish();
 }
 
-RenderRequest FrameService::render_request(const FrameRequest& request) const {
+RenderRequest FrameService::render_request(const FrameRequest& request, PixelLayout layout) const {
   return {.view = request.view,
           .share = request.share,
           .volume = find_volume_(request.scene->volume),
           .scene = request.scene,
-          .settings = settings_for(request),
-          .label = std::make_shared<const FrameRequest>(request),
-          .yields = request.quality.still};
+          .settings = settings_for(request, layout),
+          .label = std::make_shared<const FrameRequest>(request)};
 }
 
-void FrameService::submit(FrameRequest request, Done done) {
-  RenderRequest to_render = render_request(request);
-  if (!to_render.volume) return end(volume_gone(request.scene->volume), std::move(done));
-  if (PictureTiles::is_due(to_render.settings.picture_size_px)) {
+RenderRequest FrameService::live_request(const FrameRequest& request) const {
+  RenderRequest live = render_request(request, layout_for(request));
+  live.yields = request.quality.still;
+  return live;
+}
+
+RenderRequest FrameService::still_request(const FrameRequest& request) const {
+  RenderRequest still = render_request(request, PixelLayout::rgba);
+  still.is_followed = false;
+  return still;
+}
+
+void FrameService::submit(FrameRequest request, std::function<void(FrameOutcome)> done) {
+  RenderRequest live = live_request(request);
+  if (!live.volume) return end(volume_gone(request.scene->volume), std::move(done));
+  renderer_->submit({std::move(live), [this, done = std::move(done)](RenderOutcome outcome) {
+                       end(std::move(outcome), done);
+                     }});
+}
+
+void FrameService::submit_still(FrameRequest request, std::function<void(StillOutcome)> done) {
+  RenderRequest still = still_request(request);
+  if (!still.volume) return end(volume_gone(request.scene->volume), std::move(done));
+  if (is_large(still)) {
     // Compressed on the thread that made it, where it keeps no live frame waiting.
-    large_stills_->add(
-        std::move(to_render),
-        [done = std::move(done)](const RenderOutcome& outcome) { hand_over(outcome, done); });
+    large_stills_->add(std::move(still), [done = std::move(done)](const RenderOutcome& outcome) {
+      hand_over(outcome, done);
+    });
     return;
   }
-  renderer_->submit({std::move(to_render), [this, done = std::move(done)](RenderOutcome outcome) {
+  renderer_->submit({std::move(still), [this, done = std::move(done)](RenderOutcome outcome) {
                        end(std::move(outcome), done);
                      }});
 }
 
 // Posted, since a newer request may be replacing this one inside its own submit.
-void FrameService::end(RenderOutcome outcome, Done done) {
+template <typename Outcome>
+void FrameService::end(RenderOutcome outcome, std::function<void(Outcome)> done) {
   encoders_.post(
       [outcome = std::move(outcome), done = std::move(done)] { hand_over(outcome, done); });
 }
 
 bool FrameService::renew(const FrameRequest& request) {
-  const RenderRequest to_render = render_request(request);
-  return to_render.volume && renderer_->renew(to_render);
+  const RenderRequest live = live_request(request);
+  return live.volume && renderer_->renew(live);
 }
 
 void FrameService::release(std::uint64_t view) {

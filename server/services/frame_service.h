@@ -24,6 +24,7 @@ class FrameService : public FrameSource {
   ~FrameService() override;
 
   void submit(FrameRequest request, std::function<void(FrameOutcome)> done) override;
+  void submit_still(FrameRequest request, std::function<void(StillOutcome)> done) override;
   bool renew(const FrameRequest& request) override;
   void release(std::uint64_t view) override;
   RendererDescription describe() const override;
@@ -35,9 +36,11 @@ class FrameService : public FrameSource {
   UploadTarget upload_target();
 
  private:
-  using Done = std::function<void(FrameOutcome)>;
-  RenderRequest render_request(const FrameRequest& request) const;
-  void end(RenderOutcome outcome, Done done);
+  RenderRequest render_request(const FrameRequest& request, PixelLayout layout) const;
+  RenderRequest live_request(const FrameRequest& request) const;
+  RenderRequest still_request(const FrameRequest& request) const;
+  template <typename Outcome>
+  void end(RenderOutcome outcome, std::function<void(Outcome)> done);
 
   FindVolume find_volume_;
   WorkerPool encoders_;

@@ -2,26 +2,17 @@
 
 #include <algorithm>
 #include <future>
-#include <limits>
-#include <new>
 #include <utility>
 
 #include "core/threads.h"
-#include "services/picture_tiles.h"
 
 namespace cutaway {
 
 namespace {
 
-std::uint32_t limited(std::uint64_t microseconds) {
-  constexpr std::uint64_t kLongest = std::numeric_limits<std::uint32_t>::max();
-  return static_cast<std::uint32_t>(std::min(microseconds, kLongest));
-}
-
-Error no_memory() {
-  return Error({.code = "too-large",
-                .message = "there is not enough memory for a still of this size",
-                .field = "/width_px"});
+std::int64_t pixels_of(const RenderRequest& request) {
+  const glm::ivec2 size_px = request.settings.picture_size_px;
+  return std::int64_t{size_px.x} * size_px.y;
 }
 
 }  // namespace
@@ -32,6 +23,10 @@ LargeStills::LargeStills(RenderThread& renderer)
 
 LargeStills::~LargeStills() {
   thread_.request_stop();
+  {
+    const std::lock_guard lock(mutex_);
+    if (current_view_) give_up(*current_view_);
+  }
   thread_.join();
   for (const Job& job : waiting_) job.done(RenderReplaced());
 }
@@ -46,7 +41,8 @@ void LargeStills::release(std::uint64_t view) {
   std::optional<Job> released;
   {
     const std::lock_guard lock(mutex_);
-    given_up_ = given_up_ || current_view_ == view;
+    turns_.forget(view);  // a session's share goes by the name of its first view
+    if (current_view_ == view) give_up(view);
     const auto waiting =
         std::ranges::find_if(waiting_, [view](const Job& job) { return job.request.view == view; });
     if (waiting == waiting_.end()) return;
@@ -56,16 +52,14 @@ void LargeStills::release(std::uint64_t view) {
   released->done(RenderReplaced());
 }
 
+// The renderer has it, or is about to.
+void LargeStills::give_up(std::uint64_t view) {
+  given_up_ = true;
+  renderer_.release(view);
+}
+
 void LargeStills::serve(const std::stop_token& stop) {
-  while (const auto job = next(stop)) {
-    RenderOutcome outcome = RenderReplaced();
-    try {
-      outcome = make(job->request, stop);
-    } catch (const std::bad_alloc&) {
-      outcome = no_memory();
-    }
-    job->done(std::move(outcome));
-  }
+  while (const auto job = next(stop)) job->done(draw(job->request));
 }
 
 std::optional<LargeStills::Job> LargeStills::next(const std::stop_token& stop) {
@@ -74,44 +68,32 @@ std::optional<LargeStills::Job> LargeStills::next(const std::stop_token& stop) {
   given_up_ = false;
   if (!changed_.wait(lock, stop, [this] { return !waiting_.empty(); }) || stop.stop_requested())
     return std::nullopt;
-  Job job = std::move(waiting_.front());
-  waiting_.pop_front();
+  Job job = take_next();
   current_view_ = job.request.view;
   return job;
 }
 
-RenderOutcome LargeStills::make(const RenderRequest& request, const std::stop_token& stop) {
-  PictureTiles tiles(request);
-  RenderedFrame whole{.label = request.label};
-  std::uint64_t render_us = 0;
-  for (int index = 0; index < tiles.count(); ++index) {
-    RenderOutcome outcome = draw(tiles.request(index));
-    if (is_given_up(stop)) {
-      renderer_.release(request.view);  // which this tile may have made anew
-      return RenderReplaced();
-    }
-    const auto* tile = std::get_if<RenderedFrame>(&outcome);
-    if (tile == nullptr) return outcome;
-    tiles.take(index, tile->pixels);
-    render_us += tile->render_us;
-    whole.cast_rays = tile->cast_rays;
-  }
-  whole.pixels = tiles.picture();
-  whole.render_us = limited(render_us);
-  return whole;
+LargeStills::Job LargeStills::take_next() {
+  std::vector<std::uint64_t> shares;
+  for (const Job& job : waiting_) shares.push_back(job.request.share);
+  const std::uint64_t share = turns_.next(shares);
+  const auto place = waiting_.begin() + (std::ranges::find(shares, share) - shares.begin());
+  Job job = std::move(*place);
+  waiting_.erase(place);
+  turns_.charge(share, pixels_of(job.request));
+  return job;
 }
 
-RenderOutcome LargeStills::draw(RenderRequest tile) {
+RenderOutcome LargeStills::draw(const RenderRequest& request) {
   std::promise<RenderOutcome> promise;
   auto outcome = promise.get_future();
-  renderer_.submit({std::move(tile),
-                    [&promise](RenderOutcome result) { promise.set_value(std::move(result)); }});
+  renderer_.submit(
+      {request, [&promise](RenderOutcome result) { promise.set_value(std::move(result)); }});
+  {
+    const std::lock_guard lock(mutex_);
+    if (given_up_) renderer_.release(request.view);  // which came before the renderer had it
+  }
   return outcome.get();
-}
-
-bool LargeStills::is_given_up(const std::stop_token& stop) {
-  const std::lock_guard lock(mutex_);
-  return given_up_ || stop.stop_requested();
 }
 
 }  // namespace cutaway

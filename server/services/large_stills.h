@@ -1,5 +1,4 @@
-// Pictures too large to be drawn at once, made one after the other: each takes hundreds of
-// megabytes until it is compressed.
+// Saved stills that take hundreds of megabytes until they are compressed: made one after the other.
 #pragma once
 
 #include <condition_variable>
@@ -9,28 +8,28 @@
 #include <optional>
 #include <thread>
 
+#include "render/fair_share.h"
 #include "render/render_thread.h"
 
 namespace cutaway {
 
-/// Draws tile after tile, each a frame of its own among those of other views, so that a still for
-/// print holds up nobody. Thread-safe.
+/// Sessions take turns: next is the one that has had the fewest pixels. Thread-safe.
 class LargeStills {
  public:
-  /// Called once, from a thread of its own that makes nothing else meanwhile, with the whole
-  /// picture as RGBA or with what ended it; or from the one that releases the view.
+  /// Called once, from a thread of its own that makes nothing else meanwhile, with the picture or
+  /// with what ended it; or from the one that releases the view.
   using Done = std::function<void(RenderOutcome)>;
 
   /// `renderer` outlives it.
   explicit LargeStills(RenderThread& renderer);
-  /// Ends all as replaced; waits for a tile that is being drawn.
+  /// Ends all as replaced.
   ~LargeStills();
   LargeStills(const LargeStills&) = delete;
   LargeStills& operator=(const LargeStills&) = delete;
 
-  /// `request` is of the whole picture; its view has one still here at most.
+  /// A view has one still here at most.
   void add(RenderRequest request, Done done);
-  /// The view's still ends as replaced, at once or behind the tile that is being drawn.
+  /// The view's still ends as replaced.
   void release(std::uint64_t view);
 
  private:
@@ -41,14 +40,15 @@ class LargeStills {
 
   void serve(const std::stop_token& stop);
   std::optional<Job> next(const std::stop_token& stop);
-  RenderOutcome make(const RenderRequest& request, const std::stop_token& stop);
-  RenderOutcome draw(RenderRequest tile);
-  bool is_given_up(const std::stop_token& stop);
+  Job take_next();
+  RenderOutcome draw(const RenderRequest& request);
+  void give_up(std::uint64_t view);
 
   RenderThread& renderer_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::deque<Job> waiting_;
+  FairShare turns_;
   std::optional<std::uint64_t> current_view_;
   bool given_up_ = false;  ///< the current one
   std::jthread thread_;

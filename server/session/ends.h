@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/picture.h"
 #include "core/progress.h"
 #include "scene/scene.h"
 #include "scene/volume_facts.h"
@@ -31,8 +32,6 @@ struct FrameQuality {
   bool operator==(const FrameQuality&) const = default;
 };
 
-enum class PictureEncoding { jpeg, png };
-
 /// The picture's full size is the scene's viewport. A saved still is a request of its own view with
 /// a scene of its own viewport, so that the session's live view neither replaces it nor loses what
 /// is kept for it.
@@ -41,15 +40,13 @@ struct FrameRequest {
   std::uint64_t share = 0;  ///< the views of a session have one share of the renderer together
   std::uint32_t revision = 0;
   std::shared_ptr<const Scene> scene;
-  FrameQuality quality;
-  PictureEncoding encoding =
-      PictureEncoding::jpeg;  ///< png: quality's jpeg_quality and chroma mean nothing
+  FrameQuality quality;  ///< of a saved still its jpeg_quality and chroma mean nothing
 };
 
-struct Frame {
-  std::vector<std::uint8_t> picture;  ///< a whole JPEG or PNG file
-  int width_px = 0;
-  int height_px = 0;
+/// What comes of a request, with its picture as a file of one format.
+template <typename PictureFile>
+struct Made {
+  PictureFile picture;
   std::uint32_t revision = 0;
   FrameQuality quality;
   std::uint32_t render_us = 0;
@@ -59,7 +56,10 @@ struct Frame {
 
 struct FrameReplaced {};  ///< a newer request of the same view took its place before it began
 
+using Frame = Made<JpegPicture>;
+using SavedStill = Made<PngPicture>;
 using FrameOutcome = std::variant<Frame, FrameReplaced, Error>;
+using StillOutcome = std::variant<SavedStill, FrameReplaced, Error>;
 
 /// The renderer's names for a view and for its session.
 struct RenderView {
@@ -79,12 +79,14 @@ struct RendererDescription {
 };
 
 /// Thread-safe. `done` is called exactly once for every submit, from any thread, never from inside
-/// submit.
+/// it.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
   /// A request of the view that has not begun ends as FrameReplaced: one place for each view.
   virtual void submit(FrameRequest request, std::function<void(FrameOutcome)> done) = 0;
+  /// The same for a saved still. Large ones take turns by `share`, and keep no frame waiting.
+  virtual void submit_still(FrameRequest request, std::function<void(StillOutcome)> done) = 0;
   /// Puts `request` in the place of its view's request that has not begun, whose `done` stays: so
   /// the newest input is shown without another frame in flight. False, and nothing done, where none
   /// waits.

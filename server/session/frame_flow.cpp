@@ -40,6 +40,7 @@ FrameFlow::FrameFlow(const std::shared_ptr<Strand>& strand, const ViewEnds& ends
 FrameFlow::~FrameFlow() { ends_.source.release(ends_.view.view); }
 
 void FrameFlow::show(SceneSnapshot snapshot) {
+  if (newest_.scene && newest_.scene->volume != snapshot.scene->volume) quality_.forget_rays();
   newest_ = std::move(snapshot);
   pacer_.changed(strand_->now());
   pump();
@@ -93,7 +94,7 @@ void FrameFlow::pump() {
   const bool due = pacer_.due(now).has_value();
   if (due || pacer_.has_change()) {
     const FrameKind kind = pacer_.kind(now);
-    if (renew(kind) || (due && ask(kind))) pacer_.asked(kind, now);
+    if (!is_early(kind) && (renew(kind) || (due && ask(kind)))) pacer_.asked(kind, now);
   }
   const std::optional<TimePoint> next = pacer_.next_due(now);
   if (next) {
@@ -101,6 +102,13 @@ void FrameFlow::pump() {
   } else {
     alarm_->clear();
   }
+}
+
+// How many rays a still may have is known once the first frame is back, and as views are drawn one
+// frame at a time, it would wait for that anyway.
+bool FrameFlow::is_early(FrameKind kind) const {
+  return kind == FrameKind::still && ends_.kind == ViewKind::volume && !asked_.empty() &&
+         !quality_.knows_rays();
 }
 
 bool FrameFlow::renew(FrameKind kind) {
@@ -155,11 +163,11 @@ void FrameFlow::fail(const SceneSnapshot& shown, const Error& error) {
 void FrameFlow::send(const SceneSnapshot& shown, const Frame& frame) {
   const std::chrono::microseconds cost(std::uint64_t{frame.render_us} + frame.encode_us);
   quality_.rendered(frame.quality, cost);
-  if (frame.cast_rays)
+  if (frame.cast_rays && shown.scene->volume == newest_.scene->volume)
     quality_.cast_rays(frame.quality, shown.scene->viewport,
                        std::chrono::microseconds(frame.render_us));
   const std::uint32_t number = ++last_number_;
-  const std::size_t bytes = frame.picture.size();
+  const std::size_t bytes = frame.picture.bytes.size();
   ends_.link.sent(bytes);
   sent_.push_back({number, frame.quality, bytes, ends_.link.bytes_in_flight(), strand_->now()});
   std::vector<std::uint8_t> message =

@@ -69,6 +69,7 @@ class FrameFlow {
   };
 
   void pump();
+  bool is_early(FrameKind kind) const;
   bool renew(FrameKind kind);
   bool ask(FrameKind kind);
   FrameRequest request(FrameKind kind) const;

@@ -17,6 +17,6 @@ std::vector<std::uint8_t> preview_message(std::uint32_t request, const InputStam
                                           Viewport viewport, const Frame& frame);
 
 std::vector<std::uint8_t> saved_still_message(std::uint32_t request, const InputStamp& stamp,
-                                              Viewport viewport, const Frame& frame);
+                                              Viewport viewport, const SavedStill& still);
 
 }  // namespace cutaway

@@ -15,10 +15,10 @@ std::shared_ptr<const Frame> PreviewCache::find(const std::string& key) {
 void PreviewCache::put(const std::string& key, std::shared_ptr<const Frame> frame) {
   const std::lock_guard lock(mutex_);
   if (std::ranges::find(entries_, key, &Entry::first) != entries_.end()) return;
-  used_bytes_ += frame->picture.size();
+  used_bytes_ += frame->picture.bytes.size();
   entries_.emplace_front(key, std::move(frame));
   while (used_bytes_ > bytes_ || entries_.size() > kMostPictures) {
-    used_bytes_ -= entries_.back().second->picture.size();
+    used_bytes_ -= entries_.back().second->picture.bytes.size();
     entries_.pop_back();
   }
 }

@@ -16,8 +16,8 @@ const std::vector<StepControl::Step> kResolutionSteps = {
 const std::vector<StepControl::Step> kCompressionSteps = {
     {80.0, 1.0}, {65.0, 0.72}, {50.0, 0.58}, {35.0, 0.46}, {25.0, 0.37}};
 
-/// Of the newest frame in the mean of what a ray costs.
-constexpr double kSmoothing = 0.3;
+/// Of what was known of rays' cost before, beside the newest frame.
+constexpr double kKept = 0.7;
 
 double pixels_of(Viewport viewport) { return double(viewport.width_px) * viewport.height_px; }
 
@@ -54,18 +54,23 @@ void QualityControl::acknowledged(const FrameQuality& quality, std::size_t bytes
   compression_.observe(transfer_);
 }
 
-// The first frame makes buffers, too, so that its time says nothing.
 void QualityControl::cast_rays(const FrameQuality& quality, Viewport viewport,
                                Milliseconds rendering) {
   const double rays_a_pixel = quality.resolution_scale * quality.supersampling;
-  const Milliseconds ray = rendering / (pixels_of(viewport) * rays_a_pixel * rays_a_pixel);
-  if (++frames_cast_ == 1) return;
-  ray_ = frames_cast_ == 2 ? ray : kSmoothing * ray + (1.0 - kSmoothing) * ray_;
+  const double kept = rays_known_.frames > 1 ? kKept : 0.0;
+  rays_known_ = {
+      .frames = rays_known_.frames + 1,
+      .time = kept * rays_known_.time + rendering,
+      .rays = kept * rays_known_.rays + pixels_of(viewport) * rays_a_pixel * rays_a_pixel};
 }
 
+// A slice is a few points a pixel, which cost next to nothing.
 FrameQuality QualityControl::still(Viewport viewport) const {
   FrameQuality quality = still_quality(settings_, viewport);
-  const Milliseconds with_one_ray = ray_ * pixels_of(viewport);
+  if (viewport.kind != ViewKind::volume) return quality;
+  if (!knows_rays()) quality.supersampling = 1;
+  const Milliseconds with_one_ray =
+      rays_known_.time * (pixels_of(viewport) / std::max(rays_known_.rays, 1.0));
   while (quality.supersampling > 1 &&
          with_one_ray * quality.supersampling * quality.supersampling > settings_.still_budget)
     --quality.supersampling;

@@ -32,24 +32,23 @@ void StillSaver::make_next() {
   if (stage_ == Stage::idle) return;
   const Waiting next = std::move(waiting_.front());
   waiting_.pop_front();
-  source_.submit({.view = view_.view,
-                  .share = view_.share,
-                  .revision = next.shown.revision,
-                  .scene = next.shown.scene,
-                  .quality = next.quality,
-                  .encoding = PictureEncoding::png},
-                 tether_.bind<FrameOutcome>(
-                     [this, request = next.request, shown = next.shown](FrameOutcome outcome) {
-                       came_back(request, shown, std::move(outcome));
-                     }));
+  source_.submit_still({.view = view_.view,
+                        .share = view_.share,
+                        .revision = next.shown.revision,
+                        .scene = next.shown.scene,
+                        .quality = next.quality},
+                       tether_.bind<StillOutcome>([this, request = next.request,
+                                                   shown = next.shown](StillOutcome outcome) {
+                         came_back(request, shown, std::move(outcome));
+                       }));
 }
 
 void StillSaver::came_back(std::uint32_t request, const SceneSnapshot& shown,
-                           FrameOutcome outcome) {
+                           StillOutcome outcome) {
   source_.release(view_.view);
-  if (auto* frame = std::get_if<Frame>(&outcome)) {
+  if (const auto* still = std::get_if<SavedStill>(&outcome)) {
     stage_ = Stage::writing;
-    sink_.send_still(saved_still_message(request, shown.stamp, shown.scene->viewport, *frame),
+    sink_.send_still(saved_still_message(request, shown.stamp, shown.scene->viewport, *still),
                      tether_.bind<bool>([this](bool) { make_next(); }));
     return;
   }

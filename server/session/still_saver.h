@@ -42,7 +42,7 @@ class StillSaver {
   enum class Stage { idle, making, writing };
 
   void make_next();
-  void came_back(std::uint32_t request, const SceneSnapshot& shown, FrameOutcome outcome);
+  void came_back(std::uint32_t request, const SceneSnapshot& shown, StillOutcome outcome);
 
   FrameSource& source_;
   ClientSink& sink_;

@@ -2,9 +2,9 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "benchmark/jpeg_timing.h"
 #include "benchmark/samples.h"
 #include "benchmark/yardstick_task.h"
+#include "encode/jpeg.h"
 #include "render/loaded_facts.h"
 #include "scene/resolve.h"
 
@@ -54,10 +54,8 @@ bool wants_more(const FrameBudget& budget, int least, int frames, double spent_m
   return frames < budget.most && spent_ms < 500.0 * budget.seconds;
 }
 
-std::vector<std::uint8_t> compress(std::vector<std::vector<std::uint8_t>> planes, Viewport size) {
-  return jpeg_of(
-      {.layout = kLayout, .size_px = {size.width_px, size.height_px}, .planes = std::move(planes)},
-      kJpegQuality);
+Picture picture_of(Viewport size, std::vector<PixelPlane> planes) {
+  return {kLayout, {size.width_px, size.height_px}, std::move(planes)};
 }
 
 RenderSettings interactive_settings(Viewport size, PixelLayout layout = kLayout) {
@@ -81,12 +79,11 @@ FrameTime FrameTiming::measure(const FrameCase& frame_case, Viewport size,
   return time;
 }
 
-Pixels FrameTiming::picture(const FrameCase& frame_case, Viewport size, PixelLayout layout) {
+Picture FrameTiming::picture(const FrameCase& frame_case, Viewport size, PixelLayout layout) {
   const Scene front = resolve_scene(frame_case.scene, facts_of(loaded_), size);
   pipeline_.render(view_, front, volume_, interactive_settings(size, layout));
   FramePipeline::start_readback(view_, layout, readback_);
-  return {
-      .layout = layout, .size_px = {size.width_px, size.height_px}, .planes = readback_.finish()};
+  return {layout, {size.width_px, size.height_px}, readback_.finish()};
 }
 
 void FrameTiming::write_task(const FrameCase& frame_case, Viewport size,
@@ -113,7 +110,7 @@ std::size_t FrameTiming::draw(const Scene& scene) {
   pipeline_.render(view_, scene, volume_, interactive_settings(scene.viewport));
   FramePipeline::start_readback(view_, kLayout, readback_);
   timer_.end();
-  return compress(readback_.finish(), scene.viewport).size();
+  return encode_jpeg(picture_of(scene.viewport, readback_.finish()), kJpegQuality).bytes.size();
 }
 
 void FrameTiming::measure_whole(const Scene& front, const FrameBudget& budget, FrameTime& time) {
@@ -157,9 +154,9 @@ void FrameTiming::measure_stages(const Scene& front, const FrameBudget& budget, 
     last = Clock::now();
     pipeline_.render(view_, scene, volume_, interactive_settings(scene.viewport));
     FramePipeline::start_readback(view_, kLayout, readback_);
-    auto planes = readback_.finish();
+    const Picture picture = picture_of(scene.viewport, readback_.finish());
     stage_ended("read back");
-    compress(std::move(planes), scene.viewport);
+    encode_jpeg(picture, kJpegQuality);
     stage_ended("JPEG");
   }
   pipeline_.observe({});

@@ -48,7 +48,7 @@ class FrameTiming {
   FrameTime measure(const FrameCase& frame_case, Viewport size, const FrameBudget& budget);
 
   /// The case from the front, at full resolution.
-  Pixels picture(const FrameCase& frame_case, Viewport size, PixelLayout layout);
+  Picture picture(const FrameCase& frame_case, Viewport size, PixelLayout layout);
 
   /// What another renderer has to draw to do the work of a case without a lens, from the front.
   void write_task(const FrameCase& frame_case, Viewport size, const std::filesystem::path& folder);

@@ -26,7 +26,7 @@ void measure_frames(FrameTiming& timing, Viewport size, const Options& options, 
 void measure_jpegs(FrameTiming& timing, Viewport size, const Options& options, Report& report) {
   for (const FrameQuality& quality : {FrameQuality(), still_quality(SessionSettings(), size)}) {
     const bool halved = quality.chroma == ChromaSampling::yuv420;
-    const Pixels picture =
+    const Picture picture =
         timing.picture(flagship_case(), size, halved ? PixelLayout::yuv420 : PixelLayout::yuv444);
     report.add_jpeg(
         picture, quality.jpeg_quality,

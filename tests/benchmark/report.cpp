@@ -1,5 +1,7 @@
 #include "benchmark/report.h"
 
+#include "encode/jpeg.h"
+
 namespace cutaway::benchmark {
 
 Report::Report(const Machine& machine)
@@ -52,14 +54,14 @@ void Report::add(const std::string& case_name, const FrameTime& time) {
 }
 
 // Megabytes are 10^6 bytes of the planes that go in.
-void Report::add_jpeg(const Pixels& picture, int quality, const std::vector<JpegRate>& rates) {
-  const char* chroma = picture.layout == PixelLayout::yuv420 ? "4:2:0" : "4:4:4";
-  const glm::ivec2 size = picture.size_px;
-  const std::size_t jpeg_bytes = jpeg_of(picture, quality).size();
+void Report::add_jpeg(const Picture& picture, int quality, const std::vector<JpegRate>& rates) {
+  const char* chroma = picture.layout() == PixelLayout::yuv420 ? "4:2:0" : "4:4:4";
+  const glm::ivec2 size = picture.size_px();
+  const std::size_t jpeg_bytes = encode_jpeg(picture, quality).bytes.size();
   std::printf("  %d x %d, %s at quality %d, %zu bytes: threads, pictures a second, MB a second\n",
               size.x, size.y, chroma, quality, jpeg_bytes);
   for (const JpegRate& rate : rates) {
-    const double megabytes = static_cast<double>(bytes_of(picture)) / 1e6;
+    const double megabytes = static_cast<double>(picture.bytes()) / 1e6;
     std::printf("    %4d %8.1f %8.1f\n", rate.threads, rate.pictures_per_second,
                 rate.pictures_per_second * megabytes);
     json_["jpeg"].push_back({{"volume", volume_},

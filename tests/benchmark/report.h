@@ -19,7 +19,7 @@ class Report {
   void begin_volume(const std::string& name, const Volume& volume);
   void begin_size(Viewport size);
   void add(const std::string& case_name, const FrameTime& time);
-  void add_jpeg(const Pixels& picture, int quality, const std::vector<JpegRate>& rates);
+  void add_jpeg(const Picture& picture, int quality, const std::vector<JpegRate>& rates);
 
   const Json& json() const { return json_; }
 

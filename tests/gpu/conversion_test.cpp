@@ -13,7 +13,7 @@ namespace {
 
 struct Converted {
   BytePicture picture;
-  std::vector<std::vector<std::uint8_t>> planes;
+  Picture planes;
 };
 
 Converted convert(PixelLayout layout, Viewport size) {
@@ -29,7 +29,7 @@ Converted convert(PixelLayout layout, Viewport size) {
   gpu.pipeline().render(gpu.view(), scene, gpu_volume, settings);
   gl::PixelReadback readback;
   FramePipeline::start_readback(gpu.view(), layout, readback);
-  result.planes = readback.finish();
+  result.planes = {layout, settings.picture_size_px, readback.finish()};
   return result;
 }
 
@@ -50,24 +50,25 @@ TEST_P(Layouts, ArePlanesOfT871) {
   const int block_px = layout == PixelLayout::yuv420 ? 2 : 1;
   const glm::ivec2 chroma((size.width_px + block_px - 1) / block_px,
                           (size.height_px + block_px - 1) / block_px);
-  ASSERT_EQ(converted.planes.size(), 3U);
-  ASSERT_EQ(converted.planes[1].size(), static_cast<std::size_t>(chroma.x) * chroma.y);
+  ASSERT_EQ(converted.planes.planes().size(), 3U);
+  ASSERT_EQ(converted.planes.plane(1).size_px(), chroma);
+  const auto at = [&](std::size_t plane, int x, int y) {
+    return converted.planes.plane(plane).row(y)[static_cast<std::size_t>(x)];
+  };
   for (int y = 0; y < chroma.y; ++y) {
     for (int x = 0; x < chroma.x; ++x) {
       const glm::dvec3 rgb = mean_rgb(converted.picture, {x, y}, block_px);
-      const auto at = static_cast<std::size_t>(y) * chroma.x + x;
       const double luma = glm::dot(rgb, glm::dvec3(0.299, 0.587, 0.114));
-      EXPECT_NEAR(converted.planes[1][at], 128.0 + (rgb.b - luma) / 1.772, 1.01);
-      EXPECT_NEAR(converted.planes[2][at], 128.0 + (rgb.r - luma) / 1.402, 1.01);
+      EXPECT_NEAR(at(1, x, y), 128.0 + (rgb.b - luma) / 1.772, 1.01);
+      EXPECT_NEAR(at(2, x, y), 128.0 + (rgb.r - luma) / 1.402, 1.01);
     }
   }
-  const int luma_width = chroma.x * block_px;
-  ASSERT_EQ(converted.planes[0].size(), static_cast<std::size_t>(luma_width) * chroma.y * block_px);
+  ASSERT_EQ(converted.planes.plane(0).size_px(), chroma * block_px);
   for (int y = 0; y < size.height_px; ++y) {
     for (int x = 0; x < size.width_px; ++x) {
       const double luma =
           glm::dot(glm::dvec3(converted.picture.rgb({x, y})), glm::dvec3(0.299, 0.587, 0.114));
-      EXPECT_NEAR(converted.planes[0][static_cast<std::size_t>(y) * luma_width + x], luma, 1.01);
+      EXPECT_NEAR(at(0, x, y), luma, 1.01);
     }
   }
 }
@@ -80,12 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Conversion, Layouts,
 TEST(Conversion, TheCodecGivesThePictureBack) {
   for (const PixelLayout layout : {PixelLayout::yuv420, PixelLayout::yuv444}) {
     const Converted converted = convert(layout, {61, 37});
-    const auto jpeg =
-        encode_jpeg({.width_px = 61,
-                     .height_px = 37,
-                     .halved_chroma = layout == PixelLayout::yuv420,
-                     .planes = {converted.planes[0], converted.planes[1], converted.planes[2]}},
-                    95);
+    const auto jpeg = encode_jpeg(converted.planes, 95).bytes;
     BytePicture decoded{{61, 37}, std::vector<std::uint8_t>(61UL * 37 * 4)};
     const tjhandle decoder = tjInitDecompress();
     ASSERT_EQ(tjDecompress2(decoder, jpeg.data(), jpeg.size(), decoded.rgba.data(), 61, 0, 37,

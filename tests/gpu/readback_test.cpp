@@ -19,14 +19,15 @@ TEST(PixelReadback, BringsSeveralAttachmentsTightlyPacked) {
 
   PixelReadback readback;
   for (int round = 0; round < 3; ++round) {  // the buffer is used again
-    const PixelReadback::Source sources[] = {{&red_target, {5, 3}, 0, GL_RED, 1},
-                                             {&colour_target, {3, 2}, 0, GL_RGBA, 4}};
+    const PixelReadback::Source sources[] = {{&red_target, {5, 3}, 0, 1},
+                                             {&colour_target, {3, 2}, 0, 4}};
     readback.start(sources);
     const auto planes = readback.finish();
     ASSERT_EQ(planes.size(), 2U);
-    EXPECT_EQ(planes[0], std::vector<std::uint8_t>(15, 51));
-    ASSERT_EQ(planes[1].size(), 24U);
-    EXPECT_EQ(std::vector<std::uint8_t>(planes[1].begin(), planes[1].begin() + 4),
+    EXPECT_EQ(planes[0], PixelPlane({5, 3}, 1, std::vector<std::uint8_t>(15, 51)));
+    ASSERT_EQ(planes[1].size_px(), glm::ivec2(3, 2));
+    const auto first = planes[1].row(0).first(4);
+    EXPECT_EQ(std::vector<std::uint8_t>(first.begin(), first.end()),
               (std::vector<std::uint8_t>{255, 102, 0, 153}));
   }
 }

@@ -74,7 +74,7 @@ TEST_F(RenderThreads, EveryJobEndsOnceAndViewsDoNotMix) {
     if (std::holds_alternative<RenderReplaced>(outcome)) continue;
     ++drawn;
     const auto& frame = std::get<RenderedFrame>(outcome);
-    EXPECT_EQ(frame.pixels.planes.at(0).at(0),
+    EXPECT_EQ(frame.picture.plane(0).row(0)[0],
               std::lround(static_cast<double>(i % 4) / 4.0 * 255.0));
   }
   EXPECT_GE(drawn, 4);
@@ -130,6 +130,79 @@ TEST_F(RenderThreads, AFrameThatYieldsIsGivenUpForANewerOneOfItsView) {
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(2)).get()));
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
   EXPECT_TRUE(std::holds_alternative<RenderReplaced>(drawn_still.get()));
+}
+
+/// Its buffers are limited so that a picture of 700 x 500 is drawn in many parts.
+class PicturesInParts : public RenderThreads {
+ protected:
+  static constexpr glm::ivec2 kSize_px{701, 499};
+
+  RenderRequest large(std::uint64_t view, PixelLayout layout) {
+    RenderRequest wanted = request(view);
+    wanted.settings.picture_size_px = kSize_px;
+    wanted.settings.layout = layout;
+    return wanted;
+  }
+  std::future<RenderOutcome> submit_narrow(RenderRequest wanted) {
+    auto promise = std::make_shared<std::promise<RenderOutcome>>();
+    narrow_.submit({std::move(wanted),
+                    [promise](RenderOutcome outcome) { promise->set_value(std::move(outcome)); }});
+    return promise->get_future();
+  }
+
+  RenderThread narrow_{{}, {.view_bytes = std::uint64_t{4} << 20, .step = 6000}};
+};
+
+TEST_F(PicturesInParts, AreWhatTheyAreAsAWhole) {
+  for (const PixelLayout layout : {PixelLayout::yuv420, PixelLayout::yuv444, PixelLayout::rgba}) {
+    const RenderOutcome whole = submit(large(1, layout)).get();
+    const RenderOutcome in_parts = submit_narrow(large(1, layout)).get();
+    ASSERT_TRUE(std::holds_alternative<RenderedFrame>(in_parts));
+    const Picture& picture = std::get<RenderedFrame>(in_parts).picture;
+    EXPECT_EQ(picture.size_px(), kSize_px);
+    EXPECT_EQ(picture.layout(), layout);
+    EXPECT_EQ(picture, std::get<RenderedFrame>(whole).picture);
+  }
+}
+
+TEST_F(PicturesInParts, LetOthersPass) {
+  auto drawn = submit_narrow(large(1, PixelLayout::yuv420));
+  for (int i = 0; i < 3; ++i)
+    EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit_narrow(request(2)).get()));
+  EXPECT_EQ(drawn.wait_for(std::chrono::seconds(0)), std::future_status::timeout);
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(drawn.get()));
+}
+
+// Tiles were frames of their own once: what renewed the view took the place of one of them.
+TEST_F(PicturesInParts, AreNotDisturbedByWhatRenewsTheView) {
+  auto drawn = submit_narrow(large(1, PixelLayout::yuv420));
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit_narrow(request(2)).get()));
+  EXPECT_FALSE(narrow_.renew(request(1))) << "what is being drawn does not wait";
+  auto waiting = submit_narrow(large(1, PixelLayout::yuv444));
+  EXPECT_TRUE(narrow_.renew(request(1)));
+  const RenderOutcome first = drawn.get();
+  EXPECT_EQ(std::get<RenderedFrame>(first).picture.layout(), PixelLayout::yuv420);
+  EXPECT_EQ(std::get<RenderedFrame>(first).picture.size_px(), kSize_px);
+  const RenderOutcome second = waiting.get();
+  EXPECT_EQ(std::get<RenderedFrame>(second).picture.layout(), PixelLayout::rgba);
+  EXPECT_EQ(std::get<RenderedFrame>(second).picture.size_px(), glm::ivec2(64, 48));
+}
+
+TEST_F(PicturesInParts, YieldToANewerOneOfTheirView) {
+  RenderRequest still = large(1, PixelLayout::yuv444);
+  still.yields = true;
+  auto drawn = submit_narrow(still);
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit_narrow(request(2)).get()));
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit_narrow(request(1)).get()));
+  EXPECT_TRUE(std::holds_alternative<RenderReplaced>(drawn.get()));
+}
+
+TEST_F(PicturesInParts, EndWithTheirViewsRelease) {
+  auto drawn = submit_narrow(large(1, PixelLayout::rgba));
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit_narrow(request(2)).get()));
+  narrow_.release(1);
+  EXPECT_TRUE(std::holds_alternative<RenderReplaced>(drawn.get()));
+  EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit_narrow(request(1)).get()));
 }
 
 TEST_F(RenderThreads, AReleasedViewsFrameIsGivenUp) {

@@ -52,8 +52,7 @@ TEST_P(Tiles, AreThePictureThereOfTheWholeOne) {
     settings.picture_size_px = {120, 90};
     settings.tile = PictureTile{begin, whole.size_px};
     const BytePicture tile = gpu.render(scene, volume, settings);
-    // Rounding of the ray alone: a bit of a surface's position, a grey or two of its shade.
-    EXPECT_LE(largest_difference(whole, tile, begin, margin_px), 3);
+    EXPECT_EQ(largest_difference(whole, tile, begin, margin_px), 0);
   }
 }
 

@@ -104,7 +104,7 @@ TEST_F(Shelf, AFrameDrawnInStripsBetweenOthersIsTheFrameDrawnAtOnce) {
   EXPECT_GT(steps, 50);
   gl::PixelReadback readback;
   FramePipeline::start_readback(view, PixelLayout::rgba, readback);
-  EXPECT_EQ(readback.finish().at(0), whole.rgba);
+  EXPECT_EQ(readback.finish().at(0), PixelPlane(whole.size_px, 4, whole.rgba));
 }
 
 TEST_F(Shelf, APlanThatWasGivenUpLeavesNothingThatPassesForDone) {
@@ -114,7 +114,7 @@ TEST_F(Shelf, APlanThatWasGivenUpLeavesNothingThatPassesForDone) {
   plan(view).finish();
   gl::PixelReadback readback;
   FramePipeline::start_readback(view, PixelLayout::rgba, readback);
-  EXPECT_EQ(readback.finish().at(0), whole.rgba);
+  EXPECT_EQ(readback.finish().at(0), PixelPlane(whole.size_px, 4, whole.rgba));
 }
 
 }  // namespace

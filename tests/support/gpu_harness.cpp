@@ -27,7 +27,9 @@ BytePicture GpuHarness::render(const Scene& scene,
   shown_ = volume;
   gl::PixelReadback readback;
   FramePipeline::start_readback(view_, PixelLayout::rgba, readback);
-  return {settings.picture_size_px, std::move(readback.finish().at(0))};
+  const auto planes = readback.finish();
+  const auto rgba = planes.at(0).bytes();
+  return {settings.picture_size_px, {rgba.begin(), rgba.end()}};
 }
 
 std::shared_ptr<const LoadedVolume> load(Volume volume) {

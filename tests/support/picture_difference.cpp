@@ -14,7 +14,10 @@ namespace cutaway::test {
 namespace {
 
 void save(const std::filesystem::path& path, const BytePicture& picture) {
-  const auto png = encode_png(picture.rgba, picture.size_px.x, picture.size_px.y);
+  const auto png =
+      encode_png(
+          {PixelLayout::rgba, picture.size_px, {PixelPlane(picture.size_px, 4, picture.rgba)}})
+          .bytes;
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
 }

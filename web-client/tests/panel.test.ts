@@ -9,7 +9,8 @@ import {
   sceneChoiceControl,
 } from '../src/state/scene_controls.ts';
 import { KEY_BINDINGS } from '../src/interaction/keyboard.ts';
-import { deviceSize, withinLimits } from '../src/interaction/viewport_size.ts';
+import { deviceSize } from '../src/interaction/viewport_size.ts';
+import { withinLimits } from '../src/session/viewport_fit.ts';
 import { capabilities, sceneMessage } from './capabilities.ts';
 
 const { scene } = sceneMessage;

@@ -171,6 +171,26 @@ describe('input', () => {
   });
 });
 
+describe('a window larger than the server’s pictures', () => {
+  it('gets a smaller picture of its shape, and says so once', () => {
+    const { limits } = capabilities;
+    harness.say({ ...capabilities, limits: { ...limits, viewport_pixels: 4_096_000 } });
+    const { viewport_fit } = harness.session;
+    const place = { width_px: 3840, height_px: 2160 };
+    expect(viewport_fit.within(place)).toEqual({ width_px: 2698, height_px: 1517 });
+    expect(viewport_fit.within({ width_px: 4000, height_px: 2000 }).width_px).toBeLessThan(4000);
+    expect(harness.state.toasts).toMatchObject([
+      { title: 'The picture is drawn smaller than this window and enlarged' },
+    ]);
+  });
+
+  it('is no matter where its place has room', () => {
+    const place = { width_px: 2560, height_px: 1440 };
+    expect(harness.session.viewport_fit.within(place)).toBe(place);
+    expect(harness.state.toasts).toEqual([]);
+  });
+});
+
 describe('the picture', () => {
   it('knows which camera it shows', () => {
     harness.say(sceneMessage);

@@ -11,10 +11,6 @@ HANDED AllRays {
   flat float samples_per_mm;
   flat float brick_mm;         // a brick's shortest edge
   flat vec3 brick_in_map;      // a brick's size, in texture coordinates of the distance maps
+  flat vec3 bricks_per_volume;    // from texture coordinates of the volume to bricks
+  flat float first_centre_bricks; // the middle of the first voxel, where the first brick begins
 } all_rays;
-
-// The ray in bricks.
-HANDED BrickRays {
-  noperspective vec3 from;
-  noperspective vec3 toward;
-} in_bricks;

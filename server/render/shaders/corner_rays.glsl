@@ -1,22 +1,21 @@
-// The vertex shader's side of pixel_ray.glsl: the viewport's triangle, with the rays of its pixels. They change linearly from
-// pixel to pixel, and a software rasteriser interpolates for less than it reads uniforms.
+// The vertex shader's side of pixel_ray.glsl: the viewport's triangle, with what the rays of its pixels are made from.
+#ifndef HANDED
+#define HANDED out
+#endif
 #include "view.glsl"
 #include "viewport_triangle.glsl"
+#include "pixel_rays.glsl"
 
-noperspective out vec3 from_mm;
-noperspective out vec3 toward_mm;  // not of unit length
-noperspective out vec3 from_in_volume;
-noperspective out vec3 toward_in_volume;
-
-// Row 0 of the picture is the upper row, and the lower one of the viewport.
 void put_corner() {
-  vec2 corner = viewport_corner();
-  vec2 in_picture = tile_centre + tile_scale * corner;
-  vec3 across = in_picture.x * view_right - in_picture.y * view_up;
-  vec3 shift_mm = is_perspective ? vec3(0.0) : across;
-  from_mm = eye_mm + shift_mm;
-  toward_mm = view_forward + (is_perspective ? across : vec3(0.0));
-  from_in_volume = eye_in_volume + patient_to_volume * shift_mm;
-  toward_in_volume = patient_to_volume * toward_mm;
-  gl_Position = behind_everything(corner);
+  pixel_rays.place = vec4(first_fragment, 2.0 / whole_fragments);
+  pixel_rays.shifts = is_perspective ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+  pixel_rays.from_mm = eye_mm;
+  pixel_rays.toward_mm = view_forward;
+  pixel_rays.right_mm = view_right;
+  pixel_rays.up_mm = view_up;
+  pixel_rays.from_in_volume = eye_in_volume;
+  pixel_rays.toward_in_volume = patient_to_volume * view_forward;
+  pixel_rays.right_in_volume = patient_to_volume * view_right;
+  pixel_rays.up_in_volume = patient_to_volume * view_up;
+  gl_Position = behind_everything(viewport_corner());
 }

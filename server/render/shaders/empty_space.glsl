@@ -14,10 +14,11 @@ struct BrickRay {
   vec3 far_side;  // of a brick: 0 where the ray goes up, else 1
 };
 
-BrickRay brick_ray() {
-  vec3 per_mm = away_from_zero(in_bricks.toward * inversesqrt(dot(toward_mm, toward_mm)));
+BrickRay brick_ray(Ray ray) {
+  vec3 per_mm = ray.volume_per_mm * all_rays.bricks_per_volume;
+  vec3 origin = ray.origin * all_rays.bricks_per_volume - all_rays.first_centre_bricks;
   vec3 way = sign(per_mm);
-  return BrickRay(in_bricks.from, per_mm, 1.0 / per_mm, way, 0.5 - 0.5 * way);
+  return BrickRay(origin, per_mm, 1.0 / per_mm, way, 0.5 - 0.5 * way);
 }
 
 float bricks_to_surface(int branch, vec3 brick) {

@@ -98,7 +98,7 @@ bool is_cut_off(Ray ray, Course course, bool is_asked) {
   vec2 band = band_of(FOCUS);
   float depth_mm = rim_depth_mm(ray, course);
   float step_outside_mm = depth_mm / float(SAMPLES);
-  BrickRay bricks = brick_ray();
+  BrickRay bricks = brick_ray(ray);
   bool may_be = may_be_near(FOCUS, bricks, course.lens_mm.x, depth_mm) ||
                 may_be_near(FOCUS, bricks, course.lens_mm.y, depth_mm);
   bool found = false;

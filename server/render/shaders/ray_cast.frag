@@ -4,7 +4,6 @@
 
 #include "branches.glsl"
 #include "pixel_ray.glsl"
-#define HANDED in
 #include "all_rays.glsl"
 #include "volume_along_rays.glsl"
 #include "empty_space.glsl"

@@ -8,13 +8,11 @@ uniform vec2 lower_limits;          // stored units, by branch
 uniform vec2 upper_limits;
 uniform float ray_step_mm;
 uniform vec3 map_size;              // bricks
-uniform vec3 bricks_per_volume;     // from texture coordinates of the volume to bricks
-uniform float first_centre_bricks;  // the middle of the first voxel, where the first brick begins
+uniform vec3 bricks_per_volume;
+uniform float first_centre_bricks;
 
 void main() {
   put_corner();
-  in_bricks.from = from_in_volume * bricks_per_volume - first_centre_bricks;
-  in_bricks.toward = toward_in_volume * bricks_per_volume;
   all_rays.voxel_size = voxel_size;
   all_rays.size_mm = volume_size_mm;
   all_rays.axes = volume_direction;
@@ -25,4 +23,6 @@ void main() {
   vec3 brick_mm = volume_size_mm / bricks_per_volume;
   all_rays.brick_mm = min(min(brick_mm.x, brick_mm.y), brick_mm.z);
   all_rays.brick_in_map = 1.0 / map_size;
+  all_rays.bricks_per_volume = bricks_per_volume;
+  all_rays.first_centre_bricks = first_centre_bricks;
 }

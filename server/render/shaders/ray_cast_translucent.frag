@@ -4,7 +4,6 @@
 
 #include "branches.glsl"
 #include "pixel_ray.glsl"
-#define HANDED in
 #include "all_rays.glsl"
 #include "volume_along_rays.glsl"
 #include "empty_space.glsl"
@@ -40,7 +39,7 @@ void add_opaque(Ray ray, Course course, int part, inout float transmittance, ino
 }
 
 void add_translucent(Ray ray, Course course, Stretch stretch, inout float transmittance, inout Layers layers) {
-  BrickRay bricks = brick_ray();
+  BrickRay bricks = brick_ray(ray);
   float near_mm = stretch.begin_mm;
   float near_value = value_along(ray, near_mm);
   float number = sample_after(course, near_mm);

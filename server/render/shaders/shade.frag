@@ -14,12 +14,8 @@ layout(location = 1) out float silhouette_coverage;  // coverage as if no lens h
 
 // Of the ray through a part of the pixel.
 vec3 to_viewer(ivec2 part) {
-#if SUPERSAMPLING == 1
-  return -normalize(toward_mm);
-#else
   vec2 off_centre = (vec2(part) + 0.5) / float(SUPERSAMPLING) - 0.5;
-  return -normalize(toward_mm + off_centre.x * dFdx(toward_mm) + off_centre.y * dFdy(toward_mm));
-#endif
+  return -normalize(toward_mm(in_picture(gl_FragCoord.xy + off_centre)));
 }
 
 void main() {

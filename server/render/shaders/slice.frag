@@ -1,9 +1,8 @@
 #version 450 core
 // A plane of the volume by window and level. A pixel is the mean of supersampling^2 points.
 
+#include "pixel_ray.glsl"
 #include "volume.glsl"
-
-noperspective in vec3 from_in_volume;
 
 uniform float black;     // the stored value drawn so
 uniform float per_grey;  // 1 over the stored values from black to white
@@ -17,14 +16,12 @@ float grey_at(vec3 position) {
 }
 
 void main() {
-  vec3 across = dFdx(from_in_volume);
-  vec3 down = dFdy(from_in_volume);
   float rays = float(supersampling);
   float sum = 0.0;
   for (int y = 0; y < supersampling; ++y) {
     for (int x = 0; x < supersampling; ++x) {
       vec2 beside = (vec2(x, y) + 0.5) / rays - 0.5;
-      sum += grey_at(from_in_volume + across * beside.x + down * beside.y);
+      sum += grey_at(from_in_volume(in_picture(gl_FragCoord.xy + beside)));
     }
   }
   picture = vec4(vec3(sum / (rays * rays)), 1.0);

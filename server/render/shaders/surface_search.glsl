@@ -110,7 +110,7 @@ bool look(Ray ray, Course course, inout Search search, inout Bracket bracket) {
 
 // The first surface in the parts from `part` to `last` of a course.
 Bracket bracket_surface(Ray ray, Course course, int part, int last) {
-  BrickRay bricks = brick_ray();
+  BrickRay bricks = brick_ray(ray);
   float before_entry = skip_empty_space ? sample_before_entry(course) : -1.0;
   if (part < last && is_empty(stretch_of(course, part))) ++part;
   Search search = search_of(course, part, before_entry);

@@ -28,42 +28,23 @@ std::array<std::uint8_t, 3> ycbcr(const Colour& c) {
 }
 
 /// Left half and right half in a colour each, as the renderer hands pictures over.
-class TwoColours {
- public:
-  TwoColours(int width_px, int height_px, bool halved_chroma, const Colour& left,
-             const Colour& right)
-      : width_px_(width_px), height_px_(height_px), halved_(halved_chroma) {
-    const int block = halved_ ? 2 : 1;
-    const int columns = (width_px + block - 1) / block;
-    const int rows = (height_px + block - 1) / block;
-    fill(0, columns * block, rows * block, 1, left, right);
-    fill(1, columns, rows, block, left, right);
-    fill(2, columns, rows, block, left, right);
-  }
-
-  YcbcrPlanes planes() const {
-    return {.width_px = width_px_,
-            .height_px = height_px_,
-            .halved_chroma = halved_,
-            .planes = {planes_[0], planes_[1], planes_[2]}};
-  }
-
- private:
-  void fill(std::size_t plane, int columns, int rows, int block, const Colour& left,
-            const Colour& right) {
-    for (int row = 0; row < rows; ++row) {
-      for (int column = 0; column < columns; ++column) {
-        const bool is_left = column * block < width_px_ / 2;
-        planes_.at(plane).push_back(ycbcr(is_left ? left : right).at(plane));
+Picture two_colours(PixelLayout layout, glm::ivec2 size_px, const Colour& left,
+                    const Colour& right) {
+  const int block = layout == PixelLayout::yuv420 ? 2 : 1;
+  std::vector<PixelPlane> planes;
+  for (const PlaneShape& shape : plane_shapes(layout, size_px)) {
+    const std::size_t index = planes.size();
+    PixelPlane plane(shape.size_px, shape.bytes_per_pixel);
+    for (int row = 0; row < shape.size_px.y; ++row) {
+      for (int column = 0; column < shape.size_px.x; ++column) {
+        const bool is_left = column * (index == 0 ? 1 : block) < size_px.x / 2;
+        plane.row(row)[static_cast<std::size_t>(column)] = ycbcr(is_left ? left : right).at(index);
       }
     }
+    planes.push_back(std::move(plane));
   }
-
-  int width_px_;
-  int height_px_;
-  bool halved_;
-  std::array<std::vector<std::uint8_t>, 3> planes_;
-};
+  return {layout, size_px, std::move(planes)};
+}
 
 struct Decoded {
   int width_px = 0;
@@ -76,7 +57,8 @@ struct Decoded {
   }
 };
 
-Decoded decode(const std::vector<std::uint8_t>& jpeg) {
+Decoded decode(const JpegPicture& file) {
+  const std::vector<std::uint8_t>& jpeg = file.bytes;
   const std::unique_ptr<void, int (*)(void*)> decoder(tjInitDecompress(), tjDestroy);
   Decoded picture;
   int colour_space = -1;
@@ -84,6 +66,7 @@ Decoded decode(const std::vector<std::uint8_t>& jpeg) {
                                 &picture.height_px, &picture.sampling, &colour_space),
             0);
   EXPECT_EQ(colour_space, TJCS_YCbCr);
+  EXPECT_EQ(glm::ivec2(picture.width_px, picture.height_px), file.size_px);
   picture.rgb.resize(static_cast<std::size_t>(picture.width_px) * picture.height_px * 3);
   EXPECT_EQ(tjDecompress2(decoder.get(), jpeg.data(), jpeg.size(), picture.rgb.data(),
                           picture.width_px, 0, picture.height_px, TJPF_RGB, TJFLAG_ACCURATEDCT),
@@ -106,16 +89,16 @@ constexpr Colour kVessel{180, 40, 60};
 struct Case {
   int width_px;
   int height_px;
-  bool halved_chroma;
+  PixelLayout layout;
 };
 
 class Jpegs : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Jpegs, DecodeToTheColoursThatWentIn) {
-  const auto [width, height, halved] = GetParam();
-  const TwoColours picture(width, height, halved, kBone, kVessel);
-  const Decoded decoded = decode(encode_jpeg(picture.planes(), 95));
-  EXPECT_EQ(decoded.sampling, halved ? TJSAMP_420 : TJSAMP_444);
+  const auto [width, height, layout] = GetParam();
+  const Picture picture = two_colours(layout, {width, height}, kBone, kVessel);
+  const Decoded decoded = decode(encode_jpeg(picture, 95));
+  EXPECT_EQ(decoded.sampling, layout == PixelLayout::yuv420 ? TJSAMP_420 : TJSAMP_444);
   ASSERT_EQ(decoded.width_px, width);
   ASSERT_EQ(decoded.height_px, height);
   if (width >= 16) expect_colour(decoded.at(1, 0), kBone);
@@ -123,44 +106,46 @@ TEST_P(Jpegs, DecodeToTheColoursThatWentIn) {
   expect_colour(decoded.at(width - 1, height - 1), kVessel);
 }
 
-INSTANTIATE_TEST_SUITE_P(EvenAndOddSizes, Jpegs,
-                         ::testing::Values(Case{64, 48, true}, Case{64, 48, false},
-                                           Case{63, 47, true}, Case{63, 47, false},
-                                           Case{33, 16, true}, Case{16, 33, false},
-                                           Case{1, 1, true}, Case{1, 1, false}, Case{1, 9, true}));
+INSTANTIATE_TEST_SUITE_P(
+    EvenAndOddSizes, Jpegs,
+    ::testing::Values(Case{64, 48, PixelLayout::yuv420}, Case{64, 48, PixelLayout::yuv444},
+                      Case{63, 47, PixelLayout::yuv420}, Case{63, 47, PixelLayout::yuv444},
+                      Case{33, 16, PixelLayout::yuv420}, Case{16, 33, PixelLayout::yuv444},
+                      Case{1, 1, PixelLayout::yuv420}, Case{1, 1, PixelLayout::yuv444},
+                      Case{1, 9, PixelLayout::yuv420}, Case{2049, 1, PixelLayout::yuv420},
+                      Case{3840, 17, PixelLayout::yuv444}));
 
 TEST(Jpeg, IsSmallerAndCoarserAtALowerQuality) {
-  std::vector<std::uint8_t> noise(std::size_t{64} * 64);
-  for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = static_cast<std::uint8_t>(i * 97 % 251);
-  const YcbcrPlanes picture{
-      .width_px = 64, .height_px = 64, .halved_chroma = false, .planes = {noise, noise, noise}};
-  EXPECT_LT(encode_jpeg(picture, 20).size(), encode_jpeg(picture, 90).size());
+  PixelPlane noise({64, 64}, 1);
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x)
+      noise.row(y)[static_cast<std::size_t>(x)] =
+          static_cast<std::uint8_t>((y * 64 + x) * 97 % 251);
+  }
+  const Picture picture(PixelLayout::yuv444, {64, 64}, {noise, noise, noise});
+  EXPECT_LT(encode_jpeg(picture, 20).bytes.size(), encode_jpeg(picture, 90).bytes.size());
+}
+
+void expect_refused(const Picture& picture, int quality) {
+  try {
+    encode_jpeg(picture, quality);
+    ADD_FAILURE() << quality;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.detail().code, "internal");
+  }
 }
 
 TEST(Jpeg, RefusesAQualityThatThereIsNot) {
-  const TwoColours picture(16, 16, true, kBone, kVessel);
-  for (const int quality : {-1, 101}) {
-    try {
-      encode_jpeg(picture.planes(), quality);
-      ADD_FAILURE() << quality;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.detail().code, "internal");
-    }
-  }
-  EXPECT_NO_THROW(encode_jpeg(picture.planes(), 1));
-  EXPECT_NO_THROW(encode_jpeg(picture.planes(), 100));
+  const Picture picture = two_colours(PixelLayout::yuv420, {16, 16}, kBone, kVessel);
+  for (const int quality : {-1, 101}) expect_refused(picture, quality);
+  EXPECT_NO_THROW(encode_jpeg(picture, 1));
+  EXPECT_NO_THROW(encode_jpeg(picture, 100));
 }
 
-TEST(Jpeg, RefusesAnEmptyPicture) {
-  EXPECT_THROW(
-      encode_jpeg({.width_px = 0, .height_px = 0, .halved_chroma = true, .planes = {}}, 80), Error);
-}
-
-TEST(JpegDeathTest, PlanesOfAnotherSizeAreOurOwnFault) {
-  const TwoColours picture(15, 15, false, kBone, kVessel);
-  YcbcrPlanes wrong = picture.planes();
-  wrong.halved_chroma = true;
-  EXPECT_DEATH(encode_jpeg(wrong, 80), "size of the luma plane");
+TEST(Jpeg, RefusesAnEmptyPictureAndOneOfRgba) {
+  expect_refused(Picture(PixelLayout::yuv420, {0, 0}), 80);
+  expect_refused(Picture(PixelLayout::rgba, {16, 16}), 80);
+  expect_refused(Picture(), 80);
 }
 
 }  // namespace

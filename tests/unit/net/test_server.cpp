@@ -32,14 +32,15 @@ std::uint16_t port_of(const std::string& url) {
   return static_cast<std::uint16_t>(std::stoi(url.substr(url.rfind(':') + 1)));
 }
 
-Frame frame_for(const FrameRequest& request, std::size_t bytes) {
-  return {.picture = std::vector<std::uint8_t>(bytes, 0x5A),
-          .width_px = request.scene->viewport.width_px,
-          .height_px = request.scene->viewport.height_px,
-          .revision = request.revision,
-          .quality = request.quality,
-          .render_us = 100,
-          .encode_us = 50};
+template <typename PictureFile>
+Made<PictureFile> made_for(const FrameRequest& request, std::size_t bytes) {
+  const Viewport viewport = request.scene->viewport;
+  return {
+      .picture = {{viewport.width_px, viewport.height_px}, std::vector<std::uint8_t>(bytes, 0x5A)},
+      .revision = request.revision,
+      .quality = request.quality,
+      .render_us = 100,
+      .encode_us = 50};
 }
 
 }  // namespace
@@ -49,19 +50,33 @@ ThreadedFrames::ThreadedFrames() : thread_([this](const std::stop_token& stop) {
 ThreadedFrames::~ThreadedFrames() {
   thread_.request_stop();
   thread_.join();
-  for (auto& [view, job] : waiting_) job.done(FrameReplaced{});
+  for (auto& [view, job] : waiting_) job.end(nullptr, 0);
 }
 
 void ThreadedFrames::submit(FrameRequest request, std::function<void(FrameOutcome)> done) {
-  std::function<void(FrameOutcome)> replaced;
+  put(std::move(request), [done = std::move(done)](const FrameRequest* rendered, auto bytes) {
+    if (rendered == nullptr) return done(FrameReplaced{});
+    done(made_for<JpegPicture>(*rendered, bytes));
+  });
+}
+
+void ThreadedFrames::submit_still(FrameRequest request, std::function<void(StillOutcome)> done) {
+  put(std::move(request), [done = std::move(done)](const FrameRequest* rendered, auto bytes) {
+    if (rendered == nullptr) return done(FrameReplaced{});
+    done(made_for<PngPicture>(*rendered, bytes));
+  });
+}
+
+void ThreadedFrames::put(FrameRequest request, End end) {
+  End replaced;
   {
     const std::lock_guard lock(mutex_);
     Job& job = waiting_[request.view];
-    replaced = std::exchange(job.done, std::move(done));
+    replaced = std::exchange(job.end, std::move(end));
     job.request = std::move(request);
   }
   changed_.notify_all();
-  if (replaced) replaced(FrameReplaced{});
+  if (replaced) replaced(nullptr, 0);
 }
 
 bool ThreadedFrames::renew(const FrameRequest& request) {
@@ -73,14 +88,14 @@ bool ThreadedFrames::renew(const FrameRequest& request) {
 }
 
 void ThreadedFrames::release(std::uint64_t view) {
-  std::function<void(FrameOutcome)> replaced;
+  End replaced;
   {
     const std::lock_guard lock(mutex_);
     released_.insert(view);
-    if (auto job = waiting_.extract(view)) replaced = std::move(job.mapped().done);
+    if (auto job = waiting_.extract(view)) replaced = std::move(job.mapped().end);
   }
   changed_.notify_all();
-  if (replaced) replaced(FrameReplaced{});
+  if (replaced) replaced(nullptr, 0);
 }
 
 bool ThreadedFrames::wait_for_release(std::uint64_t view) {
@@ -104,7 +119,7 @@ void ThreadedFrames::work(const std::stop_token& stop) {
     Job job = std::move(waiting_.extract(waiting_.begin()).mapped());
     ++rendered_[job.request.view];
     lock.unlock();
-    job.done(frame_for(job.request, picture_bytes));
+    job.end(&job.request, picture_bytes);
     lock.lock();
   }
 }

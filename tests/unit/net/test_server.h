@@ -24,6 +24,7 @@ class ThreadedFrames final : public FrameSource {
   ThreadedFrames& operator=(const ThreadedFrames&) = delete;
 
   void submit(FrameRequest request, std::function<void(FrameOutcome)> done) override;
+  void submit_still(FrameRequest request, std::function<void(StillOutcome)> done) override;
   bool renew(const FrameRequest& request) override;
   void release(std::uint64_t view) override;
   RendererDescription describe() const override { return {"threads", true}; }
@@ -37,11 +38,14 @@ class ThreadedFrames final : public FrameSource {
   std::atomic<std::size_t> picture_bytes{5000};
 
  private:
+  /// Of what was rendered, with a picture of so many bytes, or of nothing: it was replaced.
+  using End = std::function<void(const FrameRequest* rendered, std::size_t picture_bytes)>;
   struct Job {
     FrameRequest request;
-    std::function<void(FrameOutcome)> done;
+    End end;
   };
 
+  void put(FrameRequest request, End end);
   void work(const std::stop_token& stop);
 
   std::mutex mutex_;

@@ -20,12 +20,17 @@ class FakeFrames final : public FrameSource {
  public:
   struct Job {
     FrameRequest request;
-    std::function<void(FrameOutcome)> done;
+    std::variant<std::function<void(FrameOutcome)>, std::function<void(StillOutcome)>> done;
   };
 
   void submit(FrameRequest request, std::function<void(FrameOutcome)> done) override {
     drop_waiting(request.view);
     ++submitted;
+    waiting_.push_back({std::move(request), std::move(done)});
+  }
+  void submit_still(FrameRequest request, std::function<void(StillOutcome)> done) override {
+    drop_waiting(request.view);
+    ++stills_submitted;
     waiting_.push_back({std::move(request), std::move(done)});
   }
   bool renew(const FrameRequest& request) override {
@@ -58,23 +63,35 @@ class FakeFrames final : public FrameSource {
   /// Ends the oldest begun request, or the oldest waiting one.
   FrameRequest finish(std::uint32_t render_us = 5000, std::size_t bytes = 100) {
     Job job = next();
-    Frame frame{.picture = std::vector<std::uint8_t>(bytes, 0xAB),
-                .width_px = job.request.scene->viewport.width_px,
-                .height_px = job.request.scene->viewport.height_px,
-                .revision = job.request.revision,
-                .quality = job.request.quality,
-                .render_us = render_us,
-                .encode_us = 1000};
-    job.done(std::move(frame));
+    const auto made = [&](auto picture) {
+      const Viewport viewport = job.request.scene->viewport;
+      picture.size_px = {viewport.width_px, viewport.height_px};
+      picture.bytes.assign(bytes, 0xAB);
+      return Made<decltype(picture)>{.picture = std::move(picture),
+                                     .revision = job.request.revision,
+                                     .quality = job.request.quality,
+                                     .render_us = render_us,
+                                     .encode_us = 1000};
+    };
+    if (const auto* still = std::get_if<1>(&job.done)) {
+      (*still)(made(PngPicture()));
+    } else {
+      std::get<0>(job.done)(made(JpegPicture()));
+    }
     return job.request;
   }
-  void fail(const Error& error) { next().done(error); }
+  void fail(const Error& error) { end(next(), error); }
 
   int submitted = 0;
+  int stills_submitted = 0;
   int renewed = 0;
   std::set<std::uint64_t> released;
 
  private:
+  template <typename Outcome>
+  static void end(const Job& job, const Outcome& outcome) {
+    std::visit([&](const auto& done) { done(outcome); }, job.done);
+  }
   Job next() {
     std::deque<Job>& from = begun_.empty() ? waiting_ : begun_;
     check(!from.empty(), "a frame was asked for");
@@ -85,7 +102,7 @@ class FakeFrames final : public FrameSource {
   void drop_waiting(std::uint64_t view) {
     std::erase_if(waiting_, [view](Job& job) {
       if (job.request.view != view) return false;
-      job.done(FrameReplaced{});
+      end(job, FrameReplaced{});
       return true;
     });
   }

@@ -62,6 +62,34 @@ TEST_F(FrameFlowTest, SendsWhatItWasAskedToShow) {
   EXPECT_FALSE(header.still_quality);
 }
 
+// The budget of 500 ms was ignored while nothing was known: 1366 ms for the first still.
+TEST_F(FrameFlowTest, TheFirstStillWaitsUntilItIsKnownWhatRaysCost) {
+  show(1);
+  frames.begin();
+  strand->advance(Milliseconds(300.0));
+  EXPECT_EQ(frames.submitted, 1);
+  finish(300'000);
+  EXPECT_EQ(frames.submitted, 2);
+  const FrameRequest still = finish();
+  EXPECT_TRUE(still.quality.still);
+  EXPECT_EQ(still.quality.supersampling, 1);
+}
+
+TEST_F(FrameFlowTest, TheFirstStillOfAnotherVolumeKeepsItsBudgetToo) {
+  show(1);
+  finish();
+  auto scene = std::make_shared<Scene>();
+  scene->volume = "another";
+  scene->viewport = {640, 480};
+  flow->show({scene, 2, {}});
+  finish(300'000);
+  strand->advance(Milliseconds(300.0));
+  acknowledge_all();
+  const FrameRequest still = finish();
+  EXPECT_TRUE(still.quality.still);
+  EXPECT_EQ(still.quality.supersampling, 1);
+}
+
 TEST_F(FrameFlowTest, TenInputsDuringAFrameBecomeOneFrameOfTheNewest) {
   show(1);
   frames.begin();

@@ -155,6 +155,7 @@ TEST_F(QualityControlTest, ABeginningAtAHalfClimbsWhereThereIsRoom) {
 }
 
 TEST_F(QualityControlTest, StillIsFullResolutionSupersampledAtQuality92WithFullChroma) {
+  quality.cast_rays(FrameQuality(), {640, 480}, Milliseconds(5.0));
   const FrameQuality still = quality.still({640, 480});
   EXPECT_EQ(still.resolution_scale, 1.0);
   EXPECT_EQ(still.supersampling, 2);
@@ -164,6 +165,7 @@ TEST_F(QualityControlTest, StillIsFullResolutionSupersampledAtQuality92WithFullC
 }
 
 TEST_F(QualityControlTest, AStillTooLargeForItsRaysGetsFewerAPixelButEveryPixel) {
+  quality.cast_rays(FrameQuality(), {640, 480}, Milliseconds(5.0));
   EXPECT_EQ(quality.still({1920, 1080}).supersampling, 2);
   EXPECT_EQ(quality.still({3840, 2160}).supersampling, 1);
   EXPECT_EQ(quality.still({3840, 2160}).resolution_scale, 1.0);
@@ -173,8 +175,8 @@ TEST_F(QualityControlTest, AStillThatWouldTakeTooLongGetsFewerRaysAPixelButEvery
   constexpr Viewport kViewport{640, 480};
   FrameQuality moving;
   moving.resolution_scale = 0.5;
-  quality.cast_rays(moving, kViewport, Milliseconds(5000.0));  // the first makes buffers, too
-  EXPECT_EQ(quality.still(kViewport).supersampling, 2);
+  quality.cast_rays(moving, kViewport, Milliseconds(5000.0));
+  EXPECT_EQ(quality.still(kViewport).supersampling, 1) << "the first says how much at the most";
   quality.cast_rays(moving, kViewport, Milliseconds(30.0));  // 480 ms with four rays a pixel
   EXPECT_EQ(quality.still(kViewport).supersampling, 2);
   EXPECT_EQ(quality.still({1280, 960}).supersampling, 1);  // of a window that has grown since
@@ -185,6 +187,33 @@ TEST_F(QualityControlTest, AStillThatWouldTakeTooLongGetsFewerRaysAPixelButEvery
   still.supersampling = 2;
   for (int i = 0; i < 20; ++i) quality.cast_rays(still, kViewport, Milliseconds(400.0));
   EXPECT_EQ(quality.still(kViewport).supersampling, 2);
+}
+
+TEST_F(QualityControlTest, NothingIsSpentOnAStillBeforeItsCostIsKnown) {
+  EXPECT_EQ(quality.still({640, 480}).supersampling, 1);
+  EXPECT_EQ(quality.still({640, 480, ViewKind::axial}).supersampling, 2) << "it casts no rays";
+}
+
+TEST_F(QualityControlTest, AFirstFrameThatFitsWithAllItMakesIsEnough) {
+  quality.cast_rays(FrameQuality(), {640, 480}, Milliseconds(120.0));
+  EXPECT_EQ(quality.still({640, 480}).supersampling, 2);
+}
+
+TEST_F(QualityControlTest, AnotherVolumesRaysAreForgotten) {
+  for (int i = 0; i < 3; ++i) quality.cast_rays(FrameQuality(), {640, 480}, Milliseconds(10.0));
+  EXPECT_EQ(quality.still({640, 480}).supersampling, 2);
+  quality.forget_rays();
+  EXPECT_EQ(quality.still({640, 480}).supersampling, 1);
+  quality.cast_rays(FrameQuality(), {640, 480}, Milliseconds(200.0));
+  EXPECT_EQ(quality.still({640, 480}).supersampling, 1);
+}
+
+// What a frame costs beside its rays would count as the cost of a few.
+TEST_F(QualityControlTest, AFrameOfAFewRaysSaysLittle) {
+  const Viewport viewport{640, 480};
+  for (int i = 0; i < 5; ++i) quality.cast_rays(FrameQuality(), {1, 1}, Milliseconds(20.0));
+  quality.cast_rays(FrameQuality(), viewport, Milliseconds(50.0));
+  EXPECT_EQ(quality.still(viewport).supersampling, 2);
 }
 
 TEST_F(QualityControlTest, SlowRenderingLowersResolutionOnly) {

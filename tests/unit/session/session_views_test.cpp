@@ -263,7 +263,8 @@ TEST_F(SessionViewsTest, AVolumeThatIsLongInComingKeepsNoStyleWaiting) {
 TEST(PreviewCache, KeepsWhatWasAskedForLast) {
   PreviewCache cache(250);
   const auto picture = [] {
-    return std::make_shared<const Frame>(Frame{.picture = std::vector<std::uint8_t>(100)});
+    return std::make_shared<const Frame>(
+        Frame{.picture = {{10, 10}, std::vector<std::uint8_t>(100)}});
   };
   cache.put("a", picture());
   cache.put("b", picture());

@@ -7,7 +7,7 @@ import { applyKey } from '../interaction/keyboard.ts';
 import { placeWithPointer } from '../interaction/placing.ts';
 import { PointerGestures } from '../interaction/pointer_gestures.ts';
 import { sliceGestures } from '../interaction/slice_gestures.ts';
-import { isSameSize, observeViewport, withinLimits } from '../interaction/viewport_size.ts';
+import { isSameSize, observeViewport } from '../interaction/viewport_size.ts';
 import { listenToSliceWheel } from '../interaction/wheel.ts';
 import { toolInHand } from '../state/measure_state.ts';
 import { isSettled } from '../state/slice_views.ts';
@@ -42,7 +42,8 @@ export class SliceView extends SessionElement {
   @query('.stage') private stage!: HTMLElement;
 
   private observer: ResizeObserver | undefined;
-  private size: Viewport | undefined;
+  /** Of the place for the picture, which may be larger than the server's pictures. */
+  private place: Viewport | undefined;
 
   static override styles = [
     shared,
@@ -85,7 +86,7 @@ export class SliceView extends SessionElement {
     const { commands, measuring, slicing } = this.session;
     const measures = (): boolean => toolInHand(this.state.measure) !== undefined;
     const device_pixels = (): number =>
-      (this.size?.width_px ?? 1) / Math.max(1, this.stage.clientWidth);
+      (this.viewport()?.width_px ?? 1) / Math.max(1, this.stage.clientWidth);
     const pointOf = ({ clientX, clientY }: MouseEvent): Point =>
       this.pointAt({ x: clientX, y: clientY });
     const gestures = sliceGestures(slicing, {
@@ -126,30 +127,34 @@ export class SliceView extends SessionElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.observer?.disconnect();
-    this.size = undefined;
+    this.place = undefined;
     this.session.layout.close(this.slice);
   }
 
   /** The server's limits may come after the element has its size. */
   override updated(): void {
-    if (this.size) this.resized(this.size);
+    if (this.place) this.resized(this.place);
   }
 
   private observe(): void {
     this.observer = observeViewport(this.canvas, (size) => this.resized(size));
   }
 
-  private resized(size: Viewport): void {
-    const wanted = withinLimits(size, this.state.capabilities?.limits);
-    this.size = wanted;
-    const { viewport } = this.state.slice_views[this.slice];
-    if (!isSameSize(viewport, wanted)) this.session.layout.resize(this.slice, wanted);
+  private viewport(): Viewport | undefined {
+    return this.state.slice_views[this.slice].viewport;
+  }
+
+  private resized(place: Viewport): void {
+    this.place = place;
+    const wanted = this.session.viewport_fit.within(place);
+    if (!isSameSize(this.viewport(), wanted)) this.session.layout.resize(this.slice, wanted);
   }
 
   private pointAt({ x, y }: { readonly x: number; readonly y: number }): Point {
     const box = this.getBoundingClientRect();
     const place: Point = [x - box.left, y - box.top];
-    return this.size ? elementToPicture(place, this.size, box) : place;
+    const viewport = this.viewport();
+    return viewport ? elementToPicture(place, viewport, box) : place;
   }
 
   private readonly placeOf = ({ clientX, clientY }: PointerEvent): Point => {

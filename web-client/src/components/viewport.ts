@@ -9,7 +9,7 @@ import { placeWithPointer, SLIP_CSS_PX } from '../interaction/placing.ts';
 import { picturePoint } from '../interaction/picture_point.ts';
 import { PointerGestures } from '../interaction/pointer_gestures.ts';
 import { volumeGestures } from '../interaction/volume_gestures.ts';
-import { isSameSize, observeViewport, withinLimits } from '../interaction/viewport_size.ts';
+import { isSameSize, observeViewport } from '../interaction/viewport_size.ts';
 import { listenToWheel } from '../interaction/wheel.ts';
 import { toHex } from '../state/colour.ts';
 import { toolInHand } from '../state/measure_state.ts';
@@ -47,7 +47,8 @@ export class CutawayViewport extends SessionElement {
 
   private readonly hints = new LatePart(this, () => import('./hints.ts'));
   private observer: ResizeObserver | undefined;
-  private size: Viewport | undefined;
+  /** Of the place for the picture, which may be larger than the server's pictures. */
+  private place: Viewport | undefined;
 
   static override styles = [
     shared,
@@ -82,7 +83,7 @@ export class CutawayViewport extends SessionElement {
     const measures = (): boolean => toolInHand(this.state.measure) !== undefined;
     const pressable = (): boolean => measures() || showsSlices(viewChoice(this.state));
     const device_pixels = (): number =>
-      (this.size?.width_px ?? 1) / Math.max(1, this.stage.clientWidth);
+      (this.state.viewport?.width_px ?? 1) / Math.max(1, this.stage.clientWidth);
     const slip_css_px = (): number => (pressable() ? SLIP_CSS_PX : 0);
     new PointerGestures(this.stage, volumeGestures(commands, device_pixels, slip_css_px));
     placeWithPointer(this.stage, {
@@ -113,16 +114,16 @@ export class CutawayViewport extends SessionElement {
 
   /** The server's limits may come after the element has its size, or change with a new server. */
   override updated(): void {
-    if (this.size) this.resized(this.size);
+    if (this.place) this.resized(this.place);
   }
 
   private picturePoint(event: MouseEvent): Point {
     return picturePoint(event, this, this.state.viewport);
   }
 
-  private resized(size: Viewport): void {
-    const wanted = withinLimits(size, this.state.capabilities?.limits);
-    this.size = wanted;
+  private resized(place: Viewport): void {
+    this.place = place;
+    const wanted = this.session.viewport_fit.within(place);
     const { viewport } = this.state;
     if (!isSameSize(viewport, wanted)) this.session.commands.resize(wanted);
   }

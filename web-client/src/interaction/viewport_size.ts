@@ -1,12 +1,9 @@
 // The size of an element in device pixels, also where the display's pixels are no whole multiple of
 // CSS pixels.
-import type { Limits } from '../protocol/messages.ts';
 import type { Viewport } from '../view/camera.ts';
 import type { ElementSize } from '../view/picture_fit.ts';
 
 const LARGEST_ROUNDING_PX = 1;
-
-type ViewportLimits = Pick<Limits, 'viewport_side_px' | 'viewport_pixels'>;
 
 /** `exact` is not there in every browser, and in an emulated display it may be in CSS pixels. */
 export function deviceSize(
@@ -43,20 +40,6 @@ export function observeViewport(
     observer.observe(element);
   }
   return observer;
-}
-
-/** The largest viewport of the same shape that the server's limits allow, once they are known. */
-export function withinLimits(viewport: Viewport, limits: ViewportLimits | undefined): Viewport {
-  if (!limits) return viewport;
-  const { width_px, height_px } = viewport;
-  const shrink = Math.min(
-    1,
-    limits.viewport_side_px / Math.max(width_px, height_px),
-    Math.sqrt(limits.viewport_pixels / (width_px * height_px)),
-  );
-  if (shrink === 1) return viewport;
-  const fit = (side: number): number => Math.max(1, Math.floor(side * shrink));
-  return { width_px: fit(width_px), height_px: fit(height_px) };
 }
 
 export const isSameSize = (a: Viewport | undefined, b: Viewport): boolean =>

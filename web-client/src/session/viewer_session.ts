@@ -31,6 +31,7 @@ import { SceneOpening } from './scene_opening.ts';
 import { watchForStalls } from './stall_watch.ts';
 import { Slicing } from './slicing.ts';
 import { Stills } from './stills.ts';
+import { ViewportFit } from './viewport_fit.ts';
 import { VolumePictures } from './volume_pictures.ts';
 import { StylePreviews } from './style_previews.ts';
 import { Toasts } from './toasts.ts';
@@ -66,6 +67,7 @@ interface Told {
 export class ViewerSession {
   readonly store = new Store<ViewerState>(INITIAL_STATE);
   readonly toasts = new Toasts(this.store);
+  readonly viewport_fit = new ViewportFit(this.store, this.toasts);
   readonly commands: Commands;
   readonly layout: ViewLayout;
   readonly slicing: Slicing;

@@ -36,6 +36,9 @@ export const messages = {
   not_without_connection: 'Another volume can be opened once there is a connection again',
   part_missing: 'A part of the page could not be loaded',
   part_missing_detail: 'The server may have been renewed. Reload the page; the view is kept.',
+  picture_enlarged: 'The picture is drawn smaller than this window and enlarged',
+  picture_enlarged_detail: (drawn: string, place: string) =>
+    `This server draws ${drawn} pixels at most for a place of ${place}.`,
   link_in_clipboard: 'The link to this view is in the clipboard',
   link_in_address_bar: 'The link to this view is in the address bar',
   picture: 'picture',

@@ -35,6 +35,9 @@ export const messages: Words['messages'] = {
   part_missing: 'Ein Teil der Seite konnte nicht geladen werden',
   part_missing_detail:
     'Vielleicht wurde der Server erneuert. Bitte die Seite neu laden; die Ansicht bleibt erhalten.',
+  picture_enlarged: 'Das Bild wird kleiner als dieses Fenster gezeichnet und vergrößert',
+  picture_enlarged_detail: (drawn: string, place: string) =>
+    `Dieser Server zeichnet höchstens ${drawn} Bildpunkte für einen Platz von ${place}.`,
   link_in_clipboard: 'Der Link zu dieser Ansicht ist in der Zwischenablage',
   link_in_address_bar: 'Der Link zu dieser Ansicht steht in der Adresszeile',
   picture: 'Bild',
