@@ -13,6 +13,8 @@
 #include "core/error.h"
 #include "unit/import/dicom_writer.h"
 #include "unit/import/import_test_support.h"
+#include "unit/import/nifti_writer.h"
+#include "unit/import/nrrd_writer.h"
 #include "unit/import/picture_writer.h"
 
 namespace cutaway::test {
@@ -61,6 +63,31 @@ TEST(Scan, IdsAreSafeInAddressesAndApart) {
   const Listing again = scan(folder.path());
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_EQ(again.volumes[i].description.id, listing.volumes[i].description.id);
+}
+
+TEST(Scan, ListsTwoBeforeTen) {
+  TemporaryFolder folder;
+  for (const char* name : {"scan 2.mha", "scan 10.mha"})
+    write_file(folder / name, small_metaimage());
+  for (const char* name : {"broken 2.nii", "broken 10.nii"}) write_file(folder / name, "no header");
+  const Listing listing = scan(folder.path());
+  ASSERT_EQ(listing.volumes.size(), 2U);
+  EXPECT_EQ(listing.volumes[0].description.title, "scan 2");
+  ASSERT_EQ(listing.refused.size(), 2U);
+  EXPECT_EQ(listing.refused[0].path, folder / "broken 2.nii");
+}
+
+TEST(Scan, AMarkIsEnoughWhereTheNameSaysNothing) {
+  TemporaryFolder folder;
+  write_file(folder / "one/brain", NiftiFile().with(NiftiFile().ramp_voxels()));
+  write_file(folder / "two/brain.bak",
+             nrrd::header("LPS", {1, 1, 1}, "raw") + "\n" + nrrd::ramp_bytes());
+  const Listing listing = scan(folder.path());
+  EXPECT_TRUE(listing.refused.empty());
+  ASSERT_EQ(listing.volumes.size(), 2U);
+  EXPECT_EQ(listing.volumes[0].description.format, "NIfTI");
+  EXPECT_EQ(listing.volumes[1].description.format, "NRRD");
+  for (const auto& source : listing.volumes) expect_ramp(read(source), 0.5);
 }
 
 TEST(Scan, NamesThatAreNoTextAreRefused) {
@@ -139,8 +166,8 @@ TEST(Scan, GroupingIsAStepOfItsOwn) {
   reading::scan_in_context(folder.path(), folder.path(), std::move(context));
   const auto grouping = std::find(steps.begin(), steps.end(), "grouping");
   ASSERT_NE(grouping, steps.end());
-  EXPECT_EQ(std::find(grouping, steps.end(), ".dcm"), steps.end());
-  EXPECT_NE(std::find(grouping, steps.end(), ".png"), steps.end());
+  EXPECT_EQ(grouping + 1, steps.end());
+  EXPECT_NE(std::find(steps.begin(), grouping, ".png"), grouping);
 }
 
 TEST(Scan, LinksInsideTheDataFolderCountOnce) {
