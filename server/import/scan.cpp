@@ -7,6 +7,7 @@
 
 #include "core/check.h"
 #include "import/data_root.h"
+#include "import/foreign_formats.h"
 #include "import/format_table.h"
 #include "import/natural_order.h"
 #include "import/refusal.h"
@@ -26,6 +27,7 @@ class Walk {
   }
 
   Listing run(const fs::path& path) {
+    path_ = path;
     if (fs::is_directory(path)) {
       walk_folder(path);
     } else {
@@ -79,7 +81,7 @@ class Walk {
     }
     context_.announce(file);
     const Format* format = format_of(file);
-    if (!format) return;
+    if (!format) return name_if_foreign(file);
     std::error_code failed;
     if (fs::file_size(file, failed) == 0 && !failed) {
       listing_.refused.push_back({file, "the file is empty"});
@@ -88,6 +90,16 @@ class Walk {
     } else {
       files_by_format_[format].push_back(file);
     }
+  }
+
+  /// What is no volume at all is passed over, unless it alone was asked for.
+  void name_if_foreign(const fs::path& file) {
+    if (context_.is_trial) return;
+    const auto what = foreign_format_of(file);
+    if (!what && file != path_) return;
+    listing_.refused.push_back({file, (what ? *what + ": not one of the formats that are read"
+                                            : "no volume of a known format") +
+                                          "; expected " + formats_in_words()});
   }
 
   /// For the harm that it may do, which ends this process; what is found is for the scan that lists
@@ -124,6 +136,7 @@ class Walk {
   }
 
   ScanContext context_;
+  fs::path path_;
   Listing listing_;
   std::set<fs::path> seen_;
   std::map<const Format*, std::vector<fs::path>> files_by_format_;  ///< in the table's order

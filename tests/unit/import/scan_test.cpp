@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -88,6 +89,37 @@ TEST(Scan, AMarkIsEnoughWhereTheNameSaysNothing) {
   EXPECT_EQ(listing.volumes[0].description.format, "NIfTI");
   EXPECT_EQ(listing.volumes[1].description.format, "NRRD");
   for (const auto& source : listing.volumes) expect_ramp(read(source), 0.5);
+}
+
+TEST(Scan, NamesFilesOfFormatsThatItDoesNotRead) {
+  for (const auto& [name, bytes, what] :
+       std::vector<std::array<std::string, 3>>{{"brain.mgz", "x", "FreeSurfer"},
+                                               {"t1.mnc", "x", "MINC"},
+                                               {"anat+orig.HEAD", "x", "AFNI"},
+                                               {"grid.vti", "x", "VTK"},
+                                               {"grid", "# vtk DataFile Version 3.0\n", "VTK"},
+                                               {"scan.PAR", "x", "Philips"},
+                                               {"data.h5", "x", "HDF5"},
+                                               {"data", "\x89HDF\r\n\x1a\n", "HDF5"},
+                                               {"a.npy", "x", "NumPy"},
+                                               {"map", std::string(208, 'x') + "MAP ", "MRC"},
+                                               {"cell.czi", "x", "microscope"},
+                                               {"bone.stl", "x", "mesh"}}) {
+    TemporaryFolder folder;
+    write_file(folder / name, bytes);
+    const std::string reason = only_refusal(folder.path());
+    EXPECT_NE(reason.find(what), std::string::npos) << name << ": " << reason;
+    EXPECT_NE(reason.find("DICOM"), std::string::npos) << reason;
+    EXPECT_NE(reason.find("NIfTI"), std::string::npos) << reason;
+  }
+}
+
+TEST(Scan, SaysOfAFileAskedForByNameThatItIsNoVolume) {
+  TemporaryFolder folder;
+  write_file(folder / "notes.txt", "hello");
+  EXPECT_TRUE(scan(folder.path()).refused.empty());
+  EXPECT_EQ(only_refusal(folder / "notes.txt"),
+            "no volume of a known format; expected NIfTI, NRRD, MetaImage, image stack, DICOM");
 }
 
 TEST(Scan, NamesThatAreNoTextAreRefused) {
