@@ -15,6 +15,7 @@ namespace {
 // irregularity.
 constexpr double kHeightTolerance = 0.05;  // of the slice distance
 constexpr double kHeightToleranceMm = 0.011;
+constexpr double kSmallestGap = 1e-3;  // of the slice distance
 constexpr double kShiftTolerancePx = 0.1;
 constexpr double kAxisTolerance = 1e-3;    // of length and of the cosine between axes
 constexpr double kLargestGapSlices = 4.5;  // in median slice distances: a gap of four still counts
@@ -86,7 +87,7 @@ double median(std::vector<double> values) {
 void require_gaps(const std::filesystem::path& file, const std::vector<double>& gaps,
                   double typical_mm) {
   const auto [smallest, largest] = std::minmax_element(gaps.begin(), gaps.end());
-  if (!(*smallest > 1e-4)) {
+  if (!(*smallest > 0) || *smallest < kSmallestGap * typical_mm) {
     refuse(file, "slices coincide or run back", "slices one behind the other",
            fmt::format("a step of {:.4g} mm", *smallest));
   }
