@@ -8,14 +8,25 @@ const DIGITS = 1;
 const VALUE_DIGITS = 4;
 
 /** Hounsfield values are whole numbers; what has no unit may be of any size. */
-export function valueText(value: number, unit: 'HU' | 'none'): string {
+export function valueText(value: number, unit: string): string {
   if (unit === 'HU') return `${words().number(value)} HU`;
   const digits = Math.max(0, VALUE_DIGITS - 1 - Math.floor(Math.log10(Math.abs(value) || 1)));
-  return words().number(value, Math.min(VALUE_DIGITS, digits));
+  const text = words().number(value, Math.min(VALUE_DIGITS, digits));
+  return unit === 'none' ? text : `${text} ${unit}`;
+}
+
+const MICROMETRES_PER_MM = 1000;
+const SMALLEST_IN_MM = 0.1;
+
+/** '12.3 mm'; what a millimetre with one digit cannot say in micrometres. */
+export function lengthText(length_mm: number): string {
+  if (length_mm >= SMALLEST_IN_MM || length_mm === 0)
+    return `${words().number(length_mm, DIGITS)} mm`;
+  return `${words().number(length_mm * MICROMETRES_PER_MM, DIGITS)} µm`;
 }
 
 export function resultText({ value, unit }: MeasurementResult): string {
-  if (unit === 'mm') return `${words().number(value, DIGITS)} mm`;
+  if (unit === 'mm') return lengthText(value);
   if (unit === 'degrees') return `${words().number(value, DIGITS)}°`;
   return valueText(value, unit);
 }

@@ -26,7 +26,8 @@ export interface Measurement {
   readonly points: readonly MeasuredPoint[];
 }
 
-export type MeasurementUnit = 'mm' | 'degrees' | 'HU' | 'none';
+/** 'mm', 'degrees', or what the volume's values are measured in. */
+export type MeasurementUnit = string;
 
 export interface MeasurementResult {
   readonly value: number;
@@ -53,7 +54,7 @@ export function angleDegrees(from: Vector3, vertex: Vector3, to: Vector3): numbe
 /** Nothing while points are missing. `units` are the volume's. */
 export function resultOf(
   { kind, points }: Pick<Measurement, 'kind' | 'points'>,
-  units: 'HU' | 'none',
+  units: string,
 ): MeasurementResult | undefined {
   const [first, second, third] = points;
   if (kind === 'probe') return first && { value: first.value, unit: units };

@@ -18,6 +18,7 @@ export const planeOffsetText = ({ normal, centre_mm }: SlicePlane): string =>
 
 /** 'W 400 · C 40' */
 export function windowText({ centre, width }: ValueWindow, units: VolumeSummary['units']): string {
-  const text = (value: number): string => valueText(value, units).replace(/ HU$/, '');
+  const text = (value: number): string =>
+    valueText(value, units === 'HU' ? units : 'none').replace(/ HU$/, '');
   return words().slices.window(text(width), text(centre));
 }

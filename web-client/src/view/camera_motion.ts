@@ -6,6 +6,8 @@ import { add, length, rotateAbout, scale, subtract, type Vector3 } from './vecto
 /** A drag over the shorter side of the viewport turns the volume half around. */
 const TURN_PER_SHORT_SIDE_RADIANS = Math.PI;
 const NEAREST_MM = 1;
+/** Of the volume's diagonal: what is a few micrometres across wants to be seen as near. */
+const NEAREST_SHARE = 0.005;
 const FARTHEST_MM = 20_000;
 
 /**
@@ -55,11 +57,14 @@ export function panByPixels(
   };
 }
 
-const clampDistance = (distance_mm: number): number =>
-  Math.min(FARTHEST_MM, Math.max(NEAREST_MM, distance_mm));
+/** How near one may come to what lies within a volume of that diagonal. */
+export const nearestMm = (diagonal_mm: number): number =>
+  Math.min(NEAREST_MM, NEAREST_SHARE * diagonal_mm);
 
 /** `magnification` above 1 makes the volume larger in the picture. */
-export function zoom(camera: Camera, magnification: number): Camera {
+export function zoom(camera: Camera, magnification: number, diagonal_mm = Infinity): Camera {
+  const clampDistance = (distance_mm: number): number =>
+    Math.min(FARTHEST_MM, Math.max(nearestMm(diagonal_mm), distance_mm));
   if (camera.projection === 'orthographic') {
     return { ...camera, view_height_mm: clampDistance(camera.view_height_mm / magnification) };
   }
