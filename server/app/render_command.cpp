@@ -1,6 +1,7 @@
 #include "app/render_command.h"
 
 #include <future>
+#include <iostream>
 
 #include "app/output_file.h"
 #include "app/picture_size.h"
@@ -12,6 +13,7 @@
 #include "render/loaded_facts.h"
 #include "render/render_thread.h"
 #include "scene/resolve.h"
+#include "scene/unseen.h"
 #include "volume/phantoms.h"
 
 namespace cutaway {
@@ -45,7 +47,10 @@ void run_render(const RenderCommand& command) {
   check_picture_size(size);
   check_writable(command.output_path);
   const auto volume = load_volume_argument(volume_of(command, document), terminal_progress());
-  const Scene scene = resolve_scene(document, facts_of(volume), size);
+  const VolumeFacts facts = facts_of(volume);
+  const Scene scene = resolve_scene(document, facts, size);
+  for (const std::string& reason : reasons_for_nothing(scene, facts))
+    std::cerr << "cutaway render: " << reason << '\n';
   const Picture picture =
       render_once(command, {.volume = volume,
                             .scene = std::make_shared<const Scene>(scene),

@@ -5,6 +5,8 @@
 #include <map>
 #include <optional>
 
+#include "import/data_root.h"
+
 namespace cutaway::reading {
 
 namespace {
@@ -47,15 +49,51 @@ Runs runs_of(std::string_view name) {
   return runs;
 }
 
-/// The last run that is not the same in all names of one pattern.
-std::optional<std::size_t> last_varying_run(const std::vector<Runs>& names) {
-  for (std::size_t run = names.front().words.size(); run-- > 0;) {
-    const bool varies = std::any_of(names.begin(), names.end(), [&](const Runs& name) {
-      return name.words[run] != names.front().words[run];
-    });
-    if (varies) return run;
+/// What a number counts, by the letters before it.
+enum class Counts { depth, anything, time, channel };
+
+/// Of "img_channelZ" it is "z": names run together at a capital.
+std::string last_word(std::string_view text) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  std::size_t begin = text.size();
+  while (begin > 0 && is_letter(text[begin - 1])) {
+    --begin;
+    const bool starts_word = begin > 0 && is_capital(text[begin]) && !is_capital(text[begin - 1]);
+    if (starts_word) break;
   }
-  return std::nullopt;
+  return lower_case(text.substr(begin));
+}
+
+Counts counted_by(std::string_view before) {
+  while (!before.empty() && std::string_view("_-=. ").find(before.back()) != std::string_view::npos)
+    before.remove_suffix(1);
+  const std::string word = last_word(before);
+  const auto is_one_of = [&](auto... words) { return ((word == words) || ...); };
+  if (is_one_of("z", "slice", "sl", "plane", "section", "depth", "layer")) return Counts::depth;
+  if (is_one_of("c", "ch", "chan", "channel", "w", "wave", "wavelength", "lambda", "colour",
+                "color"))
+    return Counts::channel;
+  if (is_one_of("t", "tp", "time", "timepoint", "frame")) return Counts::time;
+  return Counts::anything;
+}
+
+/// The run that counts slices: the last of those that vary among the names of one pattern and are
+/// called depth; else of those that are not called anything else.
+std::optional<std::size_t> depth_run(const std::vector<Runs>& names) {
+  std::optional<std::size_t> best;
+  Counts best_counts = Counts::channel;
+  const std::vector<std::string>& first = names.front().words;
+  for (std::size_t run = first.size(); run-- > 0;) {
+    const bool varies =
+        std::ranges::any_of(names, [&](const Runs& name) { return name.words[run] != first[run]; });
+    if (!varies) continue;
+    const Counts counts = run > 0 ? counted_by(first[run - 1]) : Counts::anything;
+    if (best && counts >= best_counts) continue;
+    best = run;
+    best_counts = counts;
+  }
+  return best;
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -90,7 +128,7 @@ std::vector<std::vector<std::string>> stacks_of_names(std::vector<std::string> n
   }
   std::map<std::string, std::vector<std::string>, NaturalOrder> stacks;
   for (const auto& [pattern, members] : by_pattern) {
-    const auto counter = last_varying_run(members);
+    const auto counter = depth_run(members);
     for (const Runs& member : members) {
       std::vector<std::string> key = member.words;
       if (counter) key[*counter] = "#";

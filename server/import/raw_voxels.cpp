@@ -9,7 +9,10 @@
 #include <utility>
 
 #include "core/check.h"
-#include "volume/voxel_packing.h"
+#include "core/released_pages.h"
+#include "import/no_data.h"
+#include "import/refusal.h"
+#include "volume/usual_values.h"
 
 namespace cutaway::reading {
 
@@ -122,32 +125,86 @@ RawVoxels reduce_channels(const RawVoxels& voxels, std::size_t channels, Channel
       voxels);
 }
 
+namespace {
+
+struct Packed {
+  PackedVoxels voxels;
+  std::size_t no_data_voxels = 0;  ///< of a number that stands for none
+  double no_data_number = 0.0;
+};
+
+Packed pack(RawVolume& raw) {
+  return std::visit(
+      [&]<typename T>(std::vector<T>& values) {
+        const std::span<const T> all(values);
+        const NoData<T> no_data = find_no_data(all);
+        const auto consumed = [&, released = std::size_t{0}](std::size_t done) mutable {
+          release_pages(
+              std::as_writable_bytes(std::span(values).subspan(released, done - released)));
+          released = done;
+        };
+        Packed packed{pack_voxels<T>(all, raw.slope, raw.intercept, no_data.valid, consumed),
+                      no_data.voxels, no_data.number.value_or(0.0)};
+        std::vector<T>().swap(values);
+        return packed;
+      },
+      raw.voxels);
+}
+
+void warn_of_nothing(const Packed& packed, std::vector<std::string>& warnings) {
+  if (!packed.voxels.nothing_value) return;
+  const std::string how =
+      fmt::format("; what has no value counts as nothing, and was set to {:.6g}, below all values",
+                  *packed.voxels.nothing_value);
+  const std::size_t not_finite = packed.voxels.nothing_voxels - packed.no_data_voxels;
+  if (not_finite > 0) {
+    warnings.push_back(
+        counted(not_finite, "voxel is not a finite number", "voxels are not finite numbers") + how);
+  }
+  if (packed.no_data_voxels > 0) {
+    warnings.push_back(fmt::format("{} {:.6g}, far from all others",
+                                   counted(packed.no_data_voxels, "voxel holds", "voxels hold"),
+                                   packed.no_data_number) +
+                       how);
+  }
+}
+
+void warn_of_values(const Volume& volume, const UsualValues& usual,
+                    std::vector<std::string>& warnings) {
+  const ValueRange& all = volume.value_range;
+  if (!(all.maximum > all.minimum) && !volume.nothing_value) {
+    warnings.push_back(
+        fmt::format("every voxel has the value {:.6g}: the volume is empty", all.minimum));
+  }
+  if (usual.strays == 0) return;
+  warnings.push_back(fmt::format(
+      "{} far from all others, which reach from {:.6g} to {:.6g}; what is chosen for "
+      "the volume goes by those",
+      counted(usual.strays, "voxel lies", "voxels lie"), usual.range.minimum, usual.range.maximum));
+}
+
+}  // namespace
+
 Volume finish_volume(RawVolume raw) {
   const auto& size = raw.geometry.size_voxels;
   check_equal(count_of(raw.voxels), std::size_t(size.x) * size.y * size.z, "voxels fill the grid");
-  PackedVoxels packed = std::visit(
-      [&](auto& values) {
-        PackedVoxels result =
-            pack_voxels(std::span(std::as_const(values)), raw.slope, raw.intercept);
-        std::remove_reference_t<decltype(values)>().swap(values);
-        return result;
-      },
-      raw.voxels);
-  VolumeDescription& description = raw.description;
-  if (packed.replaced_non_finite > 0) {
-    description.warnings.push_back(
-        fmt::format("{} voxels are not finite numbers; each was set to the smallest value",
-                    packed.replaced_non_finite));
-  }
+  Packed packed = pack(raw);
+  warn_of_nothing(packed, raw.description.warnings);
+  Volume volume{std::move(raw.description),      raw.geometry,
+                std::move(packed.voxels.voxels), packed.voxels.value_scale,
+                packed.voxels.value_offset,      packed.voxels.value_range,
+                packed.voxels.nothing_value};
+  const UsualValues usual = usual_values(volume);
+  VolumeDescription& description = volume.description;
+  warn_of_values(volume, usual, description.warnings);
   if (description.modality.empty() && description.units == "none" &&
-      looks_like_hounsfield(packed.value_range)) {
+      looks_like_hounsfield(usual.range)) {
     description.modality = "CT";
     description.units = "HU";
     description.warnings.emplace_back(
         "the file names no modality; its values are taken for Hounsfield units of a CT");
   }
-  return {std::move(description), raw.geometry,        std::move(packed.voxels),
-          packed.value_scale,     packed.value_offset, packed.value_range};
+  return volume;
 }
 
 }  // namespace cutaway::reading

@@ -49,9 +49,9 @@ struct RawVolume {
   double intercept = 0.0;
 };
 
-/// Packs the voxels; warns of non-finite values; calls a volume without modality CT where its
-/// values are plainly Hounsfield units, and says so in a warning. Throws Error where no value is
-/// finite.
+/// Packs the voxels; warns of those that have no value or a stray one; calls a volume without
+/// modality CT where its values are plainly Hounsfield units, and says so in a warning. Throws
+/// Error where no value is finite.
 Volume finish_volume(RawVolume raw);
 
 }  // namespace cutaway::reading

@@ -3,9 +3,7 @@
 #include <utility>
 
 #include "core/check.h"
-#include "import/data_root.h"
-#include "import/formats.h"
-#include "import/grids/grid_file.h"
+#include "import/format_table.h"
 #include "import/refusal.h"
 
 namespace cutaway {
@@ -32,22 +30,11 @@ class MonotoneProgress {
   std::pair<LoadStage, double> last_{LoadStage::read, -1.0};
 };
 
-/// The header comes first among a source's files; data may only lie where the scan found them, or
-/// beside.
-template <typename Open>
-RawVolume read_grid(Open open, const VolumeSource& source, const ReadContext& context) {
-  const GridFile grid = open(source.files.front(), common_folder(source.files), context.limits);
-  return read_grid_file(grid, source, context);
-}
-
 RawVolume read_raw(const VolumeSource& source, const ReadContext& context) {
-  const std::string& format = source.description.format;
-  if (format == "DICOM") return read_dicom(source, context);
-  if (format == "NIfTI") return read_grid(open_nifti, source, context);
-  if (format == "NRRD") return read_grid(open_nrrd, source, context);
-  if (format == "MetaImage") return read_grid(open_metaimage, source, context);
-  if (format == "image stack") return read_image_stack(source, context);
-  refuse(source.files.front(), "no reader for this format", {}, format);
+  const Format* format = format_named(source.description.format);
+  if (format) return format->read(source, context);
+  refuse(source.files.front(), "no reader for this format", formats_in_words(),
+         source.description.format);
 }
 
 }  // namespace

@@ -90,6 +90,11 @@ std::string bytes_in_words(double bytes) {
   return fmt::format("{:.1f} {}", amount, kUnits.at(unit));
 }
 
+std::string counted(std::uint64_t count, const std::string& noun, const std::string& plural) {
+  if (count == 1) return "1 " + noun;
+  return fmt::format("{} {}", count, plural.empty() ? noun + "s" : plural);
+}
+
 std::string number_in_words(double number) { return fmt::format("{}", number); }
 
 }  // namespace cutaway::reading

@@ -39,6 +39,9 @@ void require_volume_extents(const std::filesystem::path& file, glm::ivec3 size_v
 /// "12.5 GiB", "452 bytes"
 std::string bytes_in_words(double bytes);
 
+/// "1 slice", "12 slices"; `plural` where it is not by an s.
+std::string counted(std::uint64_t count, const std::string& noun, const std::string& plural = {});
+
 /// Shortest decimal text that reads back as the same number.
 std::string number_in_words(double number);
 

@@ -1,15 +1,15 @@
 #include "import/scan.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 
 #include "core/check.h"
 #include "import/data_root.h"
-#include "import/dicom/frame.h"
-#include "import/dicom/header.h"
-#include "import/formats.h"
-#include "import/grids/grid_file.h"
-#include "import/pictures/image_file.h"
+#include "import/foreign_formats.h"
+#include "import/format_table.h"
+#include "import/natural_order.h"
 #include "import/refusal.h"
 
 namespace cutaway {
@@ -19,46 +19,23 @@ using namespace reading;
 
 namespace {
 
-enum class FileKind { none, dicom, nifti, nrrd, metaimage, picture };
-
-/// A .hdr may be many things; a .gz almost anything.
-bool is_nifti_name(const std::string& name) {
-  return name.ends_with(".nii") || name.ends_with(".nii.gz") || name.ends_with(".hdr") ||
-         name.ends_with(".hdr.gz");
-}
-
-FileKind kind_by_name(const fs::path& file) {
-  const std::string name = lower_case(file.filename().string());
-  const auto ends_with_one_of = [&](auto... endings) { return (name.ends_with(endings) || ...); };
-  if (ends_with_one_of(".dcm", ".dicom", ".ima")) return FileKind::dicom;
-  if (is_nifti_name(name)) return FileKind::nifti;
-  if (ends_with_one_of(".nrrd", ".nhdr")) return FileKind::nrrd;
-  if (ends_with_one_of(".mha", ".mhd")) return FileKind::metaimage;
-  if (ends_with_one_of(".tif", ".tiff", ".png")) return FileKind::picture;
-  return FileKind::none;
-}
-
-bool is_grid(FileKind kind) {
-  return kind == FileKind::nifti || kind == FileKind::nrrd || kind == FileKind::metaimage;
-}
-
 class Walk {
  public:
-  explicit Walk(ScanContext context) : context_(std::move(context)) {}
+  /// A file that is tried out alone is not grouped with others: what breaks there is its own.
+  explicit Walk(ScanContext context) : context_(std::move(context)) {
+    if (context_.is_trial) context_.on_grouping = nullptr;
+  }
 
   Listing run(const fs::path& path) {
+    path_ = path;
     if (fs::is_directory(path)) {
       walk_folder(path);
     } else {
       sort_file(path);
     }
     if (context_.is_trial) return {};
-    add_dicom(path);
-    add(find_image_stacks(pictures_, context_));
-    std::sort(listing_.volumes.begin(), listing_.volumes.end(),
-              [](const auto& a, const auto& b) { return a.description.id < b.description.id; });
-    std::sort(listing_.refused.begin(), listing_.refused.end(),
-              [](const auto& a, const auto& b) { return a.path < b.path; });
+    for (const auto& [format, files] : files_by_format_) add(format->find(files, context_));
+    sort_as_people_count();
     make_ids_unique();
     return std::move(listing_);
   }
@@ -103,65 +80,48 @@ class Walk {
       return;
     }
     context_.announce(file);
-    const FileKind kind = kind_of(file);
+    const Format* format = format_of(file);
+    if (!format) return name_if_foreign(file);
     std::error_code failed;
-    if (kind != FileKind::none && fs::file_size(file, failed) == 0 && !failed) {
+    if (fs::file_size(file, failed) == 0 && !failed) {
       listing_.refused.push_back({file, "the file is empty"});
-      return;
-    }
-    if (context_.is_trial) return try_out(kind, file);
-    if (kind == FileKind::dicom) dicom_.push_back(file);
-    if (kind == FileKind::picture) pictures_.push_back(file);
-    if (is_grid(kind)) add_grid(kind, file);
-  }
-
-  /// What has no name of a known format and was opened all the same was so for its mark.
-  FileKind kind_of(const fs::path& file) const {
-    const FileKind kind = kind_by_name(file);
-    if (kind != FileKind::none) return kind;
-    const bool marked = context_.given_up.contains(file) || looks_like_dicom(file);
-    return marked ? FileKind::dicom : FileKind::none;
-  }
-
-  VolumeSource grid_source(FileKind kind, const fs::path& file) const {
-    const auto open = kind == FileKind::nifti  ? open_nifti
-                      : kind == FileKind::nrrd ? open_nrrd
-                                               : open_metaimage;
-    return source_of(open(file, context_.root, context_.limits), context_);
-  }
-
-  /// For the harm that it may do, which ends this process.
-  void try_out(FileKind kind, const fs::path& file) const {
-    if (kind == FileKind::none || context_.opened.contains(file)) return;
-    try {
-      context_.look_into(file, [&] {
-        if (kind == FileKind::dicom) return !read_dicom_frames(file).empty();
-        if (kind == FileKind::picture) return open_image_file(file).pages > 0;
-        return !grid_source(kind, file).files.empty();
-      });
-    } catch (const Error&) {  // for the scan that lists it to say
+    } else if (context_.is_trial) {
+      try_out(*format, file);
+    } else {
+      files_by_format_[format].push_back(file);
     }
   }
 
-  void add_dicom(const fs::path& path) {
-    if (!context_.dicom_refused) {
-      add(find_dicom(dicom_, context_));
-    } else if (!dicom_.empty()) {
-      listing_.refused.push_back({path, *context_.dicom_refused});
-    }
+  /// What is no volume at all is passed over, unless it alone was asked for.
+  void name_if_foreign(const fs::path& file) {
+    if (context_.is_trial) return;
+    const auto what = foreign_format_of(file);
+    if (!what && file != path_) return;
+    listing_.refused.push_back({file, (what ? *what + ": not one of the formats that are read"
+                                            : "no volume of a known format") +
+                                          "; expected " + formats_in_words()});
   }
 
-  void add_grid(FileKind kind, const fs::path& file) {
-    try {
-      listing_.volumes.push_back(context_.look_into(file, [&] { return grid_source(kind, file); }));
-    } catch (const Error& error) {
-      listing_.refused.push_back({file, reason_of(error)});
-    }
+  /// For the harm that it may do, which ends this process; what is found is for the scan that lists
+  /// it.
+  void try_out(const Format& format, const fs::path& file) const {
+    if (!context_.opened.contains(file)) format.find(std::array{file}, context_);
   }
 
   void add(Listing found) {
     std::move(found.volumes.begin(), found.volumes.end(), std::back_inserter(listing_.volumes));
     std::move(found.refused.begin(), found.refused.end(), std::back_inserter(listing_.refused));
+  }
+
+  /// "2" before "10".
+  void sort_as_people_count() {
+    const NaturalOrder before;
+    std::stable_sort(
+        listing_.volumes.begin(), listing_.volumes.end(),
+        [&](const auto& a, const auto& b) { return before(a.description.id, b.description.id); });
+    std::stable_sort(
+        listing_.refused.begin(), listing_.refused.end(),
+        [&](const auto& a, const auto& b) { return before(a.path.string(), b.path.string()); });
   }
 
   /// Pictures and a DICOM series in one folder would both go by its name.
@@ -176,10 +136,10 @@ class Walk {
   }
 
   ScanContext context_;
+  fs::path path_;
   Listing listing_;
   std::set<fs::path> seen_;
-  std::vector<fs::path> dicom_;
-  std::vector<fs::path> pictures_;
+  std::map<const Format*, std::vector<fs::path>> files_by_format_;  ///< in the table's order
 };
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace {
 constexpr double kHeightTolerance = 0.05;  // of the slice distance
 constexpr double kHeightToleranceMm = 0.011;
 constexpr double kLargestHeightTolerance = 0.35;  // of the slice distance, whatever the digits
+constexpr double kSmallestGap = 1e-3;             // of the slice distance
 constexpr double kSameGap = 0.1;                  // of the smaller of two gaps
 constexpr int kFewestOfASpacing = 3;              // gaps in a row that are no accident
 constexpr double kLargestGapSlices = 4.5;  // in median slice distances: a gap of four still counts
@@ -31,8 +32,9 @@ double median(std::vector<double> values) {
 }
 
 bool evenly_spaced(const std::vector<double>& heights, double step_mm, double position_mm) {
-  const double by_digits = std::min(position_mm, kLargestHeightTolerance * step_mm);
-  const double tolerance = std::max({kHeightTolerance * step_mm, kHeightToleranceMm, by_digits});
+  const double by_digits =
+      std::min(std::max(position_mm, kHeightToleranceMm), kLargestHeightTolerance * step_mm);
+  const double tolerance = std::max(kHeightTolerance * step_mm, by_digits);
   for (std::size_t k = 0; k < heights.size(); ++k) {
     if (std::abs(heights[k] - static_cast<double>(k) * step_mm) > tolerance) return false;
   }
@@ -65,7 +67,7 @@ std::vector<Spacing> spacings_of(const std::vector<double>& gaps, double toleran
 void require_gaps(const std::filesystem::path& file, const std::vector<double>& gaps,
                   double typical_mm, double tolerance_mm) {
   const double smallest = *std::min_element(gaps.begin(), gaps.end());
-  if (!(smallest > 1e-4)) {
+  if (!(smallest > 0) || smallest < kSmallestGap * typical_mm) {
     refuse(file, "slices coincide or run back", "slices one behind the other",
            fmt::format("a step of {:.4g} mm", smallest));
   }

@@ -174,4 +174,21 @@ std::optional<PlacedLens> placed_lens(const VolumeFacts& volume, const LensPlace
   return best->lens;
 }
 
+SightOfFocus sight_of_focus(const VolumeFacts& volume, const LensPlacementView& view,
+                            const PlacedLens& lens) {
+  if (!volume.first_surface_mm) return SightOfFocus::some;
+  bool is_met = false;
+  bool is_open = false;
+  for (const ProbedRay& probed : probe_view(volume, view)) {
+    const auto lens_mm = through_sphere_mm(probed.ray, lens.centre_mm, lens.radius_mm);
+    if (!lens_mm) continue;
+    is_met = true;
+    const bool uncovered = probed.context_mm >= lens_mm->x;
+    if (uncovered && probed.focus_mm < lens_mm->y) return SightOfFocus::some;
+    is_open = is_open || uncovered;
+  }
+  if (!is_met) return SightOfFocus::some;
+  return is_open ? SightOfFocus::empty : SightOfFocus::covered;
+}
+
 }  // namespace cutaway

@@ -31,4 +31,11 @@ struct PlacedLens {
 std::optional<PlacedLens> placed_lens(const VolumeFacts& volume, const LensPlacementView& view,
                                       double radius_mm);
 
+/// What of the focus a cutaway lens shows. `covered`: context lies before all of it.
+enum class SightOfFocus { some, covered, empty };
+
+/// By the same rays; `some` where none of them meets the lens, too.
+SightOfFocus sight_of_focus(const VolumeFacts& volume, const LensPlacementView& view,
+                            const PlacedLens& lens);
+
 }  // namespace cutaway

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "scene/admitted.h"
 #include "scene/json_text.h"
 #include "scene/module_aliases.h"
 #include "scene/refuse_scene.h"
@@ -15,7 +16,7 @@ namespace cutaway {
 
 namespace {
 
-constexpr double kSmallestDistance_mm = 1e-6;
+constexpr double kSmallestDistance_mm = 1e-9;
 
 void check_camera(const Camera& camera) {
   const glm::dvec3 view = camera.target_mm - camera.eye_mm;
@@ -98,9 +99,10 @@ Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport vi
   return resolve_scene(document, volume, viewport, lenses);
 }
 
-Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport viewport,
-                    LensMemory& lenses) {
-  validate_scene_document(document);
+namespace {
+
+Scene with_choices(const Json& document, const VolumeFacts& volume, Viewport viewport,
+                   LensMemory& lenses) {
   const Json said = with_defaults(without_aliases(document), "scene");
   Scene scene = scene_from(said);
   if (!said.contains("volume")) scene.volume = volume.id;
@@ -112,6 +114,18 @@ Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport vi
   complete_slices(scene.slices, said.at("slices"), volume);
   complete_lens(scene, said.at("lens"), volume, lenses);  // last: it may look long
   return scene;
+}
+
+}  // namespace
+
+// What was chosen becomes the session's document, and has to be one that is accepted again.
+Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport viewport,
+                    LensMemory& lenses) {
+  validate_scene_document(document);
+  const Scene scene = with_choices(document, volume, viewport, lenses);
+  const Json complete = scene_document(scene);
+  const Json legal = admitted(complete, "scene");
+  return legal == complete ? scene : with_choices(legal, volume, viewport, lenses);
 }
 
 Viewport document_viewport(const Json& document) {

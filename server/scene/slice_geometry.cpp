@@ -45,7 +45,7 @@ double whole_height_mm(const glm::dmat3& half_axes_mm, const CameraAxes& axes, V
 
 bool show_the_same_slice(const Scene& a, const Scene& b) {
   // Of a crosshair that moves within the plane, by rounding.
-  constexpr double kSamePlane_mm = 1e-6;
+  constexpr double kSamePlane_mm = 1e-9;
   const Plane plane = plane_of(a.slices, a.viewport.kind);
   const Plane other = plane_of(b.slices, b.viewport.kind);
   const double apart_mm =

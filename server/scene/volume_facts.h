@@ -20,7 +20,7 @@ struct VolumeFacts {
   glm::dvec3 middle_voxel_mm{0.0};
   /// Columns: from the grid's centre to the middle of a face, along the i, j and k axes.
   glm::dmat3 grid_half_axes_mm{0.0};
-  double minimum_value = 0.0;
+  double minimum_value = 0.0;  ///< of the usual values: strays lie beyond
   double maximum_value = 0.0;
   double outer_iso_value = 0.0;  ///< context by default: skin
   double inner_iso_value = 0.0;  ///< focus by default: bone

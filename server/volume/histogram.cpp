@@ -8,6 +8,7 @@
 
 #include "core/check.h"
 #include "volume/parallel.h"
+#include "volume/usual_values.h"
 
 namespace cutaway {
 
@@ -64,7 +65,7 @@ void count(const Volume& volume, std::span<const float> voxels, Histogram& histo
 
 Histogram build_histogram(const Volume& volume, int bins) {
   check(bins >= 1, "bins is " + std::to_string(bins));
-  Histogram histogram{.range = volume.value_range, .counts = Counts(bins)};
+  Histogram histogram{.range = usual_values(volume).range, .counts = Counts(bins)};
   std::visit([&](const auto& voxels) { count(volume, std::span(voxels), histogram); },
              volume.voxels);
   return histogram;
@@ -85,15 +86,30 @@ double quantile(const Histogram& histogram, double share) {
   return histogram.range.minimum + width * (double(bin) + 0.5) / double(histogram.counts.size());
 }
 
+/// How many grey levels the middle of the values must get at least; of 256.
+constexpr double kFewestLevels = 5.0;
+
+/// Whether a window shows anything of the values: it is not beside their middle, and not so wide
+/// that all of it is one grey.
+bool shows(const ValueRange& window, const ValueRange& middle) {
+  const double width = window.maximum - window.minimum;
+  return width > 0.0 && window.minimum < middle.maximum && middle.minimum < window.maximum &&
+         middle.maximum - middle.minimum >= kFewestLevels / 256.0 * width;
+}
+
 }  // namespace
 
 ValueRange suggest_window(const VolumeDescription& description, const Histogram& histogram) {
-  if (description.window) return *description.window;
-  if (description.units == "HU") return {-160.0, 240.0};
-  const ValueRange usual{quantile(histogram, 0.01), quantile(histogram, 0.99)};
-  if (usual.maximum > usual.minimum) return usual;
-  if (histogram.range.maximum > histogram.range.minimum) return histogram.range;
-  return {histogram.range.minimum - 0.5, histogram.range.minimum + 0.5};
+  constexpr ValueRange kSoftTissueHu{-160.0, 240.0};
+  const ValueRange middle{quantile(histogram, 0.01), quantile(histogram, 0.99)};
+  if (!(middle.maximum > middle.minimum)) {
+    if (description.window) return *description.window;
+    if (histogram.range.maximum > histogram.range.minimum) return histogram.range;
+    return {histogram.range.minimum - 0.5, histogram.range.minimum + 0.5};
+  }
+  if (description.window && shows(*description.window, middle)) return *description.window;
+  if (description.units == "HU" && shows(kSoftTissueHu, middle)) return kSoftTissueHu;
+  return middle;
 }
 
 }  // namespace cutaway

@@ -10,8 +10,8 @@
 namespace cutaway {
 
 struct Histogram {
-  ValueRange range;
-  std::vector<std::uint64_t> counts;  ///< equal bins over `range`
+  ValueRange range;                   ///< of the usual values
+  std::vector<std::uint64_t> counts;  ///< equal bins over `range`; strays in the first and the last
 };
 
 Histogram build_histogram(const Volume& volume, int bins);
@@ -33,7 +33,8 @@ SuggestedSurfaces suggest_surfaces(const VolumeDescription& description,
 
 /// The physical values from black to white by which a slice is drawn at first: the file's own
 /// window; else CT in HU has the soft tissue's, 40 +- 200, and everything else what is left without
-/// the darkest and the brightest hundredth of the voxels.
+/// the darkest and the brightest hundredth of the voxels. Neither of the first two where it would
+/// draw those in a few greys or in one.
 ValueRange suggest_window(const VolumeDescription& description, const Histogram& histogram);
 
 }  // namespace cutaway

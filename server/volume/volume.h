@@ -23,7 +23,7 @@ struct VolumeDescription {
   std::string title;
   std::string format;    ///< "DICOM", "NIfTI", "NRRD", "MetaImage", "image stack", "phantom"
   std::string modality;  ///< DICOM's code ("CT", "MR"), or "" where the file does not say
-  std::string units;     ///< "HU" or "none"
+  std::string units;     ///< of the values: "HU", a name that the file gives ("BQML"), or "none"
   std::vector<std::string> warnings;
   /// From black to white, as the file wants to be seen; physical values.
   std::optional<ValueRange> window = {};
@@ -35,14 +35,16 @@ using Voxels = std::variant<std::vector<std::uint16_t>, std::vector<float>>;
 /// Physical value = stored * value_scale + value_offset: Hounsfield units for CT. Rescale slope and
 /// intercept of the file are in there exactly once. `value_scale` is above 0, whatever the file's
 /// slope: who compares stored values, or takes a gradient of them, may forget the rescale. Every
-/// value is finite. Immutable after loading, so shared between threads.
+/// value is finite; voxels for which the file has none hold `nothing_value`. Immutable after
+/// loading, so shared between threads.
 struct Volume {
   VolumeDescription description;
   VolumeGeometry geometry;
   Voxels voxels;
   double value_scale = 1.0;
   double value_offset = 0.0;
-  ValueRange value_range;  ///< of the physical values
+  ValueRange value_range;                    ///< of the physical values
+  std::optional<double> nothing_value = {};  ///< below them all; where some voxels have no value
 };
 
 /// Physical value at a voxel; the index is clamped to the grid.

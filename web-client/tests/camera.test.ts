@@ -134,6 +134,15 @@ describe('motion', () => {
     expect(length(subtract(camera.eye_mm, camera.target_mm))).toBeCloseTo(1);
   });
 
+  it('comes nearer to what is only micrometres across', () => {
+    let camera: Camera = { ...front, eye_mm: [0, -0.08, 0], target_mm: [0, 0, 0] };
+    const distance_mm = () => length(subtract(camera.eye_mm, camera.target_mm));
+    camera = zoom(camera, 1.5, 0.02);
+    expect(distance_mm()).toBeCloseTo(0.08 / 1.5, 6);
+    for (let step = 0; step < 200; step++) camera = zoom(camera, 1.5, 0.02);
+    expect(distance_mm()).toBeCloseTo(0.0001, 6);
+  });
+
   it('rolls clockwise', () => {
     expectVector(roll(front, Math.PI / 2).up, [-1, 0, 0]);
     const [x] = projectPx(roll(front, Math.PI / 2), viewport, [0, 0, 50]) ?? [0];

@@ -51,6 +51,11 @@ LaidOut lay_out(const GridFile& grid, const ImportLimits& limits) {
   return result;
 }
 
+std::string units_of(const GridFile& grid) {
+  if (!grid.units.empty()) return grid.units;
+  return grid.modality == "CT" ? "HU" : "none";
+}
+
 std::string title_of(const fs::path& file) {
   fs::path stem = file.stem();
   if (lower_case(file.extension().string()) == ".gz") stem = stem.stem();
@@ -86,7 +91,7 @@ VolumeSource source_of(const GridFile& grid, const ScanContext& context) {
                         .title = title_of(grid.header),
                         .format = grid.format,
                         .modality = grid.modality,
-                        .units = grid.modality == "CT" ? "HU" : "none",
+                        .units = units_of(grid),
                         .warnings = laid_out.warnings};
   source.geometry = laid_out.plan.geometry;
   source.files = {grid.header};

@@ -11,6 +11,7 @@ struct GridFile {
   std::filesystem::path header;
   std::string format;  ///< as in VolumeDescription
   std::string modality;
+  std::string units;         ///< of the values; empty where the file does not say
   VoxelData data;            ///< of everything in the file
   std::size_t channels = 1;  ///< values of a voxel, next to each other
   Channels meaning = Channels::components;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <string_view>
 
 #include "import/refusal.h"
@@ -168,16 +169,49 @@ bool is_usable(const NiftiAffine& affine) {
   return true;
 }
 
-NiftiAffine affine_as_stored(const std::filesystem::path& file, const NiftiHeader& header) {
-  if (header.sform_code > 0) return affine_of_sform(header);
-  if (header.qform_code > 0) return affine_of_qform(file, header);
+std::optional<NiftiAffine> usable(const NiftiAffine& affine) {
+  constexpr double kFlat = 1e-6;
+  if (!is_usable(affine)) return std::nullopt;
+  glm::dmat3 directions = affine.steps_mm;
+  for (int axis = 0; axis < 3; ++axis) directions[axis] = glm::normalize(directions[axis]);
+  return std::abs(glm::determinant(directions)) > kFlat ? std::optional(affine) : std::nullopt;
+}
+
+NiftiAffine affine_of_pixdim(const std::filesystem::path& file, const NiftiHeader& header) {
   NiftiAffine affine;
   const glm::dvec3 spacing = checked_pixdim(file, header);
   for (int axis = 0; axis < 3; ++axis) affine.steps_mm[axis][axis] = spacing[axis];
+  return affine;
+}
+
+/// Nothing where the code says that there is none, or it is not usable.
+std::optional<NiftiAffine> sform_of(const NiftiHeader& header) {
+  if (header.sform_code <= 0) return std::nullopt;
+  return usable(affine_of_sform(header));
+}
+
+std::optional<NiftiAffine> qform_of(const std::filesystem::path& file, const NiftiHeader& header) {
+  if (header.qform_code <= 0) return std::nullopt;
+  try {
+    return usable(affine_of_qform(file, header));
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+NiftiAffine affine_as_stored(const std::filesystem::path& file, const NiftiHeader& header) {
+  if (auto sform = sform_of(header)) return *sform;
+  if (auto qform = qform_of(file, header)) {
+    if (header.sform_code > 0)
+      qform->warnings.emplace_back("the sform is not usable; the qform was taken");
+    return *qform;
+  }
+  if (header.qform_code > 0 && header.sform_code <= 0) return affine_of_qform(file, header);
+  if (header.sform_code > 0) return affine_of_sform(header);
+  NiftiAffine affine = affine_of_pixdim(file, header);
   affine.warnings.emplace_back(
       "neither sform nor qform is set: no position in the patient; i, j, k taken as right, "
-      "anterior, "
-      "superior");
+      "anterior, superior");
   return affine;
 }
 

@@ -38,9 +38,9 @@ struct NiftiAffine {
   std::vector<std::string> warnings;
 };
 
-/// sform where it is set, else qform, else pixdim alone with a warning; RAS in the file's length
-/// unit to LPS mm. Throws Error naming `file` where the chosen one is not finite or its spacing is
-/// not positive.
+/// sform where it is set and usable, else qform (with a warning where both are set), else pixdim
+/// alone with a warning; RAS in the file's length unit to LPS mm. Throws Error naming `file` where
+/// the chosen one is not finite or its spacing is not positive.
 NiftiAffine nifti_affine(const std::filesystem::path& file, const NiftiHeader& header);
 
 struct NiftiVoxelType {

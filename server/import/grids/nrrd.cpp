@@ -59,8 +59,15 @@ void set_data(GridFile& grid, const TextHeader& text, const fs::path& root) {
   }
 }
 
-/// Without any hint the first three axes are those of space.
+/// Where there are more than three: those that the header gives no place are none of space, if that
+/// leaves three; without any hint the first three are.
 void guess_spatial_axes(const TextHeader& text, std::vector<NrrdAxis>& axes) {
+  const auto is_placed = [](const NrrdAxis& axis) { return axis.is_spatial && !axis.has_no_place; };
+  if (std::ranges::count_if(axes, &NrrdAxis::is_spatial) <= 3) return;
+  if (std::ranges::count_if(axes, is_placed) == 3) {
+    for (NrrdAxis& axis : axes) axis.is_spatial = is_placed(axis);
+    return;
+  }
   if (text.find("kinds") || text.find("spacedirections")) return;
   for (std::size_t i = 3; i < axes.size(); ++i) axes[i].is_spatial = false;
 }
@@ -169,6 +176,7 @@ GridFile open_nrrd(const fs::path& file, const fs::path& root, const ImportLimit
   GridFile grid;
   grid.header = file;
   grid.format = "NRRD";
+  grid.units = quoted_briefly(printable(text.find("sampleunits").value_or("")));
   set_data(grid, text, root);
   std::vector<NrrdAxis> axes = nrrd_axes(file, text);
   guess_spatial_axes(text, axes);

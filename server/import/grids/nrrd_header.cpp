@@ -87,6 +87,21 @@ bool is_spatial_kind(const std::string& kind) {
   return kind == "domain" || kind == "space" || kind == "???" || kind == "none";
 }
 
+/// How NRRD says that it does not know, or that there is none.
+bool is_unknown(const std::string& word) { return word == "???" || lower_case(word) == "none"; }
+
+/// Some writers give the vectors of a direction that is none.
+bool is_no_direction(std::string direction) {
+  if (direction == "none") return true;
+  std::erase(direction, ' ');
+  return direction == "(nan,nan,nan)";
+}
+
+/// It has two names.
+const char* centering_field(const TextHeader& text) {
+  return text.find("centerings") ? "centerings" : "centers";
+}
+
 void take_kind(const std::string& kind, NrrdAxis& axis) {
   if (!is_spatial_kind(kind)) axis.is_spatial = false;
   axis.is_colour =
@@ -165,15 +180,19 @@ std::vector<NrrdAxis> nrrd_axes(const fs::path& file, const TextHeader& text) {
   const auto kinds = per_axis(file, text, "kinds", sizes.size());
   const auto spacings = per_axis(file, text, "spacings", sizes.size());
   const auto units = per_axis(file, text, "units", sizes.size());
+  const auto centerings = per_axis(file, text, centering_field(text), sizes.size());
   const auto directions = per_axis(file, text, "spacedirections", sizes.size());
   std::vector<NrrdAxis> axes(sizes.size());
   for (std::size_t i = 0; i < axes.size(); ++i) {
     axes[i].extent = integer_of(sizes[i]).value_or(0);
     if (!kinds.empty()) take_kind(lower_case(kinds[i]), axes[i]);
     if (!spacings.empty()) axes[i].spacing = spacing_of(file, spacings[i]);
+    axes[i].has_no_place = (!spacings.empty() && !axes[i].spacing) ||
+                           (!kinds.empty() && is_unknown(kinds[i])) ||
+                           (!centerings.empty() && is_unknown(centerings[i]));
     if (!units.empty()) axes[i].unit = units[i];
     if (directions.empty()) continue;
-    axes[i].is_spatial = lower_case(directions[i]) != "none";
+    axes[i].is_spatial = !is_no_direction(lower_case(directions[i]));
     if (axes[i].is_spatial) axes[i].direction = vector_of(file, directions[i]);
   }
   return axes;

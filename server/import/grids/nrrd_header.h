@@ -25,6 +25,7 @@ struct NrrdAxis {
   std::int64_t extent = 0;
   bool is_spatial = true;
   bool is_colour = false;
+  bool has_no_place = false;            ///< by an unknown spacing, kind or centering
   std::optional<double> spacing;        ///< from "spacings", in `unit`
   std::string unit;                     ///< from "units"; empty where it is not said
   std::optional<glm::dvec3> direction;  ///< from "space directions", in the file's own space

@@ -5,6 +5,7 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <fstream>
@@ -13,6 +14,7 @@
 #include <span>
 
 #include "core/process.h"
+#include "core/released_pages.h"
 #include "import/isolation/worker_protocol.h"
 #include "import/scan.h"
 
@@ -64,12 +66,23 @@ class ThrottledProgress {
   Clock::time_point reported_;
 };
 
+/// What lies in the memory file is no longer needed here: else there would be two of each voxel.
+template <typename T>
+void hand_over(std::vector<T> voxels) {
+  constexpr std::size_t kPieceBytes = std::size_t{16} << 20;
+  std::span<std::byte> rest = std::as_writable_bytes(std::span(voxels));
+  while (!rest.empty()) {
+    const auto piece = rest.first(std::min(kPieceBytes, rest.size()));
+    write_all(kVoxelDescriptor, piece);
+    release_pages(piece);
+    rest = rest.subspan(piece.size());
+  }
+}
+
 void read_for(const Json& job, const ImportLimits& limits) {
   VolumeHead head{read_volume(source_from(job.at("read")), limits, ThrottledProgress(), {}), false};
   head.is_float = std::holds_alternative<std::vector<float>>(head.volume.voxels);
-  std::visit(
-      [](const auto& voxels) { write_all(kVoxelDescriptor, std::as_bytes(std::span(voxels))); },
-      head.volume.voxels);
+  std::visit([](auto& voxels) { hand_over(std::move(voxels)); }, head.volume.voxels);
   report("volume", to_json(head));
 }
 

@@ -160,12 +160,14 @@ Error error_from(const Json& json) {
 
 Json to_json(const VolumeHead& head) {
   const Volume& volume = head.volume;
-  return {{"description", to_json(volume.description)},
-          {"geometry", to_json(volume.geometry)},
-          {"float", head.is_float},
-          {"scale", volume.value_scale},
-          {"offset", volume.value_offset},
-          {"range", {volume.value_range.minimum, volume.value_range.maximum}}};
+  Json json = {{"description", to_json(volume.description)},
+               {"geometry", to_json(volume.geometry)},
+               {"float", head.is_float},
+               {"scale", volume.value_scale},
+               {"offset", volume.value_offset},
+               {"range", {volume.value_range.minimum, volume.value_range.maximum}}};
+  if (volume.nothing_value) json["nothing"] = *volume.nothing_value;
+  return json;
 }
 
 VolumeHead volume_head_from(const Json& json) {
@@ -177,6 +179,7 @@ VolumeHead volume_head_from(const Json& json) {
   head.volume.value_offset = finite_number(json.at("offset"));
   head.volume.value_range = {finite_number(json.at("range").at(0)),
                              finite_number(json.at("range").at(1))};
+  if (json.contains("nothing")) head.volume.nothing_value = finite_number(json.at("nothing"));
   if (head.volume.value_scale <= 0) refuse_report("scale");
   return head;
 }

@@ -12,15 +12,14 @@
 #include "import/data_root.h"
 #include "import/decompressor.h"
 #include "import/length_unit.h"
-#include "import/pictures/tiff_pages.h"
+#include "import/pictures/orientation.h"
+#include "import/pictures/picture_text.h"
+#include "import/pictures/planes.h"
 #include "import/refusal.h"
-#include "import/text_header.h"
 
 namespace cutaway::reading {
 
 namespace {
-
-constexpr int kMostPages = 32768;
 
 std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& file) {
   OIIO::ImageSpec as_stored;
@@ -103,49 +102,43 @@ void require_file_size(const std::filesystem::path& file, double least_bytes) {
          "at least " + bytes_in_words(std::ceil(least_bytes)), bytes_in_words(available));
 }
 
-/// A value from "name=value" lines, as ImageJ writes them into ImageDescription.
-std::string described(const OIIO::ImageSpec& spec, std::string_view name) {
-  const std::string text(spec.get_string_attribute("ImageDescription"));
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = std::string_view(text).substr(begin, end - begin);
-    if (line.starts_with(name) && line.size() > name.size() && line[name.size()] == '=') {
-      return std::string(trimmed(line.substr(name.size() + 1)));
-    }
-    begin = end + 1;
-  }
-  return {};
-}
-
 bool is_positive(double number) { return std::isfinite(number) && number > 0; }
 
-/// Resolution is pixels per unit; ImageJ's own unit stands for TIFF's "none".
-void take_spacing(const OIIO::ImageSpec& spec, ImageFile& image) {
-  const std::string named = described(spec, "unit");
-  const auto unit_mm = millimetres_per(
-      named.empty() ? std::string(spec.get_string_attribute("ResolutionUnit")) : named);
-  if (!unit_mm) return;
-  const double along_x = spec.get_float_attribute("XResolution", 0.0F);
-  const double along_y = spec.get_float_attribute("YResolution", static_cast<float>(along_x));
-  if (is_positive(along_x) && is_positive(along_y)) {
-    image.pixel_spacing_mm = glm::dvec2(*unit_mm / along_x, *unit_mm / along_y);
-  }
-  const std::vector<double> between = numbers_of(described(spec, "spacing"));
-  if (!between.empty() && is_positive(between.front()))
-    image.slice_spacing_mm = between.front() * *unit_mm;
+std::string text_of(const OIIO::ImageSpec& spec) {
+  return std::string(spec.get_string_attribute("ImageDescription"));
 }
 
-/// Only a TIFF has several.
-int count_pages(const std::filesystem::path& file) {
-  const TiffPages pages = tiff_pages(file, kMostPages);
-  if (pages.count > kMostPages) {
-    refuse(file, "the file has too many pages", fmt::format("at most {}", kMostPages));
+/// From the text's unit; that of ImageJ stands for TIFF's "none".
+std::optional<double> unit_mm(const OIIO::ImageSpec& spec, const std::string& named,
+                              std::vector<std::string>& warnings) {
+  if (named.empty())
+    return millimetres_per(std::string(spec.get_string_attribute("ResolutionUnit")));
+  const auto unit = millimetres_per(named);
+  if (!unit && !is_no_length(named)) {
+    std::string warning =
+        fmt::format("the unit of length \"{}\" is not known", quoted_briefly(printable(named)));
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+      warnings.push_back(std::move(warning));
   }
-  if (pages.first_that_differs) {
-    refuse(file, fmt::format("page {} differs from the first in size or number type",
-                             *pages.first_that_differs + 1));
+  return unit;
+}
+
+/// A spacing in the text, else the resolution, which is pixels per unit.
+void take_spacing(const OIIO::ImageSpec& spec, const PictureText& text, ImageFile& image) {
+  std::array<std::optional<double>, 3> unit;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    unit[axis] = unit_mm(spec, text.units[axis], image.warnings);
+  const double along_x = spec.get_float_attribute("XResolution", 0.0F);
+  const std::array resolution{
+      along_x, double(spec.get_float_attribute("YResolution", static_cast<float>(along_x)))};
+  glm::dvec2 spacing(0.0);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double length = text.spacings[axis].value_or(1.0 / resolution[axis]);
+    spacing[static_cast<int>(axis)] = length * unit[axis].value_or(0.0);
   }
-  return std::max(1, pages.count);
+  if (is_positive(spacing.x) && is_positive(spacing.y)) image.pixel_spacing_mm = spacing;
+  const double between = text.spacings[2].value_or(0.0) * unit[2].value_or(0.0);
+  if (is_positive(between)) image.slice_spacing_mm = between;
 }
 
 /// Row by row where there are rows: several at once OpenImageIO also calls read where the file is
@@ -164,25 +157,47 @@ bool read_pixels(OIIO::ImageInput& input, const PixelLayout& layout, std::span<s
   return true;
 }
 
+Orientation orientation_of(const OIIO::ImageSpec& spec) {
+  return tiff_orientation(spec.get_int_attribute("Orientation", 1));
+}
+
+PixelLayout seen_layout(const std::filesystem::path& file, const OIIO::ImageSpec& spec) {
+  PixelLayout layout = layout_of(file, spec);
+  if (orientation_of(spec).transposed) std::swap(layout.size_px.x, layout.size_px.y);
+  return layout;
+}
+
 ImageFile open_pages(const std::filesystem::path& file) {
   const auto input = open(file);
+  const OIIO::ImageSpec spec = input->spec();
+  const PictureText text = read_picture_text(text_of(spec));
   ImageFile image;
-  image.layout = layout_of(file, input->spec());
-  take_spacing(input->spec(), image);
-  image.pages = count_pages(file);
-  require_file_size(file, image.pages * least_bytes_of_page(*input, image.layout));
+  image.layout = seen_layout(file, spec);
+  take_spacing(spec, text, image);
+  if (orientation_of(spec).transposed && image.pixel_spacing_mm)
+    std::swap(image.pixel_spacing_mm->x, image.pixel_spacing_mm->y);
+  take_pages(file, text, image);
+  require_file_size(file,
+                    double(image.slice_pages.size()) * least_bytes_of_page(*input, image.layout));
   return image;
 }
 
 void read_page(const std::filesystem::path& file, int page, const PixelLayout& layout,
                std::span<std::byte> pixels) {
   const auto input = open(file);
-  const bool there = input->seek_subimage(page, 0);
-  if (!there || layout_of(file, input->spec()) != layout) {
+  const OIIO::ImageSpec first = input->spec();
+  if (seen_layout(file, first) == layout && !input->seek_subimage(page, 0) &&
+      read_picture_text(text_of(first)).planes_follow_first) {
+    read_plane_behind(file, page, layout.component, pixels);
+    return turn(orientation_of(first), layout, pixels);
+  }
+  if (input->current_subimage() != page || seen_layout(file, input->spec()) != layout) {
     refuse(file, fmt::format("page {} is not as the first, or not there", page + 1));
   }
-  if (read_pixels(*input, layout, pixels)) return;
-  refuse(file, "the picture is broken or cut off", {}, printable(input->geterror()));
+  PixelLayout stored = layout_of(file, input->spec());
+  if (!read_pixels(*input, stored, pixels))
+    refuse(file, "the picture is broken or cut off", {}, printable(input->geterror()));
+  turn(orientation_of(input->spec()), layout, pixels);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct Stack {
   std::vector<std::string> warnings;
 
   int slice_count() const {
-    return files.size() == 1 ? first.pages : static_cast<int>(files.size());
+    return static_cast<int>(files.size() == 1 ? first.slice_pages.size() : files.size());
   }
 };
 
@@ -40,7 +40,8 @@ void open_pictures(Stack& stack, const OpenPicture& open) {
   if (stack.files.size() == 1) return;
   for (const auto& file : stack.files) {
     const ImageFile image = open(file);
-    if (image.pages > 1) refuse(file, "one picture of the stack has several pages", "one page");
+    if (image.slice_pages.size() > 1)
+      refuse(file, "one picture of the stack has several pages", "one page");
     if (image.layout != stack.first.layout) {
       refuse(file, "the picture differs from the first of its stack in size or number type",
              fmt::format("{}x{}", stack.first.layout.size_px.x, stack.first.layout.size_px.y),
@@ -112,6 +113,8 @@ Stack open_stack(std::vector<fs::path> files, const ImportLimits& limits, const 
   stack.files = std::move(files);
   open_pictures(stack, open);
   take_sidecar(stack);
+  stack.warnings.insert(stack.warnings.end(), stack.first.warnings.begin(),
+                        stack.first.warnings.end());
   lay_out(stack, limits);
   return stack;
 }
@@ -131,7 +134,7 @@ VolumeDescription describe(const Stack& stack, const fs::path& named_by, const f
 bool has_pages(const fs::path& file, const OpenPicture& open) {
   if (!lower_case(file.extension().string()).starts_with(".tif")) return false;
   try {
-    return open(file).pages > 1;
+    return open(file).slice_pages.size() > 1;
   } catch (const Error&) {
     return false;
   }
@@ -229,7 +232,7 @@ RawVolume read_image_stack(const VolumeSource& source, const ReadContext& contex
   for (std::size_t k = 0; k < slices; ++k) {
     throw_if_cancelled(context.stop);
     const bool paged = stack.files.size() == 1;
-    read_image_page(stack.files[paged ? 0 : k], paged ? static_cast<int>(k) : 0, layout,
+    read_image_page(stack.files[paged ? 0 : k], stack.first.slice_pages[paged ? k : 0], layout,
                     bytes_of(raw.voxels).subspan(k * slice_bytes, slice_bytes));
     if (context.progress)
       context.progress(LoadStage::decode, static_cast<double>(k + 1) / static_cast<double>(slices));

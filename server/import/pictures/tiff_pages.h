@@ -3,6 +3,7 @@
 // TIFF 6.0, section 2; Big TIFF, bigtiff.org.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -15,5 +16,12 @@ struct TiffPages {
 
 /// Counts up to `most` + 1, which is also where a chain that runs in a circle ends.
 TiffPages tiff_pages(const std::filesystem::path& file, int most);
+
+/// Where the first page's pixels begin, if they lie there in one piece and are not compressed.
+struct PlainPixels {
+  std::uint64_t begin = 0;
+  bool big_endian = false;
+};
+std::optional<PlainPixels> plain_pixels(const std::filesystem::path& file);
 
 }  // namespace cutaway::reading

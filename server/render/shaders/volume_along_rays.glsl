@@ -30,7 +30,7 @@ vec3 gradient_per_mm(vec3 position, bool is_asked) {
     rise.y = stored_value(vec3(position.x, ahead.y, position.z)) - stored_value(vec3(position.x, behind.y, position.z));
     rise.z = stored_value(vec3(position.xy, ahead.z)) - stored_value(vec3(position.xy, behind.z));
   }
-  return all_rays.axes * (rise / max((ahead - behind) * all_rays.size_mm, 1e-6));
+  return all_rays.axes * (rise / max((ahead - behind) * all_rays.size_mm, 1e-20));
 }
 
 // From low to high value, the wrong way for light: the outward normal is its opposite. Flat spots face the viewer.

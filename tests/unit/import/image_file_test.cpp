@@ -108,7 +108,7 @@ TEST(TiffPages, FollowsTheChainInBothByteOrdersToTheLimit) {
 TEST(TiffPages, AChainInACircleEndsAtTheLimit) {
   TemporaryFolder folder;
   std::string bytes = tiff_bytes({});
-  bytes.replace(8 + 2 + 13 * 12, 4, bytes_of_numbers<std::uint32_t>({8}));
+  bytes.replace(8 + 2 + 14 * 12, 4, bytes_of_numbers<std::uint32_t>({8}));
   write_file(folder / "a.tif", bytes);
   EXPECT_EQ(reading::tiff_pages(folder / "a.tif", 50).count, 51);
 }

@@ -150,7 +150,7 @@ TEST(IsolatedScan, ACrashWhileGroupingCostsTheSeriesOnly) {
                                    " crash-at-grouping;;\nesac\n"));
   EXPECT_EQ(listing.volumes.size(), 1U);
   ASSERT_EQ(listing.refused.size(), 1U);
-  EXPECT_EQ(listing.refused[0].path, folder.path());
+  EXPECT_EQ(listing.refused[0].path, folder / "series");
   EXPECT_EQ(listing.refused[0].reason,
             "its reader broke down, as it does at damaged files, while it sorted DICOM slices into "
             "volumes");

@@ -134,14 +134,14 @@ TEST(Nifti, ReducesColourToLuminanceAndSaysSo) {
   EXPECT_TRUE(has_warning(volume.description, "luminance"));
 }
 
-TEST(Nifti, VoxelsThatAreNoNumbersAreReplacedAndCounted) {
+TEST(Nifti, VoxelsThatAreNoNumbersAreNothingAndCounted) {
   NiftiFile nifti{.dim = {2, 2, 2}};
   const float nan = std::nanf("");
   TemporaryFolder folder;
   write_file(folder / "nan.nii",
              nifti.with(bytes_of_numbers<float>({1, nan, 3, INFINITY, 5, 6, 7, 8})));
   const Volume volume = read_only_volume(folder.path());
-  EXPECT_EQ(value_at(volume, {1, 0, 0}), 1);
+  EXPECT_EQ(value_at(volume, {1, 0, 0}), 0);
   EXPECT_TRUE(has_warning(volume.description, "2 voxels"));
   write_file(folder / "nan.nii", nifti.with(bytes_of_numbers(std::vector<float>(8, nan))));
   EXPECT_NE(read_failure(only_source(folder.path(), folder.path())).find("no voxel has a value"),

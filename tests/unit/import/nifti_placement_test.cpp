@@ -90,6 +90,35 @@ TEST(Nifti, PrefersTheSform) {
   expect_ramp(read_only_volume(folder.path()), 1e-2);
 }
 
+/// Some writers set the sform's code and no sform.
+TEST(Nifti, AnUnusableSformGivesWayToAGoodQform) {
+  for (const glm::dmat3& steps :
+       {glm::dmat3(0.0), glm::dmat3(NAN), glm::dmat3(1, 0, 0, 1, 0, 0, 0, 0, 1)}) {
+    TemporaryFolder folder;
+    NiftiFile nifti;
+    nifti.pixdim = {1, 1, 1.5, 2, 1, 1, 1, 1};
+    nifti.s_steps = glm::dmat3(1, 0, 0, 0, 1.5, 0, 0, 0, 2);
+    nifti.s_origin = nifti.q_offset = {-12, -15, -10};
+    const std::string voxels = nifti.ramp_voxels();
+    nifti.qform_code = 1;
+    nifti.s_steps = steps;
+    write_file(folder / "a.nii", nifti.with(voxels));
+    const Volume volume = read_only_volume(folder / "a.nii");
+    expect_ramp(volume, 1e-3);
+    EXPECT_TRUE(has_warning(volume.description, "the sform is not usable; the qform was taken"));
+  }
+}
+
+TEST(Nifti, AnUnusableQformBesideAGoodSformDoesNotMatter) {
+  TemporaryFolder folder;
+  NiftiFile nifti;
+  nifti.qform_code = 1;
+  nifti.quaternion = {3, 3, 3};
+  nifti.pixdim = {1, 0, 0, 0, 0, 0, 0, 0};
+  write_file(folder / "a.nii", nifti.with(nifti.ramp_voxels()));
+  expect_ramp(read_only_volume(folder / "a.nii"), 1e-3);
+}
+
 TEST(Nifti, WithoutAnyTransformWarns) {
   NiftiFile nifti;
   nifti.sform_code = 0;

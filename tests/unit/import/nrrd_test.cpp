@@ -206,6 +206,47 @@ TEST(Nrrd, TakesSpacingsInTheirUnits) {
   EXPECT_EQ(only_source(folder.path(), folder.path()).geometry.spacing_mm, glm::dvec3(2, 2.5, 4));
 }
 
+/// NaN is NRRD's sign for an axis that is not one of space.
+TEST(Nrrd, AnAxisWithoutAPlaceHoldsComponents) {
+  for (const char* hint :
+       {"spacings: NaN 1 1.5 2\n", "kinds: ??? domain domain domain\nspacings: 1 1 1.5 2\n",
+        "kinds: none space space space\nspacings: nan 1 1.5 2\n",
+        "centers: ??? cell cell cell\nspacings: 1 1 1.5 2\n",
+        "centerings: none cell cell cell\nspacings: 1 1 1.5 2\n",
+        "kinds: 3-vector domain domain domain\nspacings: NaN 1 1.5 2\n",
+        "space: left-posterior-superior\nspace directions: (nan,nan,nan) (1,0,0) (0,1.5,0) "
+        "(0,0,2)\n"}) {
+    TemporaryFolder folder;
+    write_file(folder / "a.nrrd",
+               "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 3 2 2 3\nencoding: raw\n" +
+                   std::string(hint) + "\n" + "1xx2xx3xx4xx5xx6xx7xx8xx9xx:xx;xx<xx");
+    const Volume volume = read_only_volume(folder / "a.nrrd");
+    SCOPED_TRACE(hint);
+    EXPECT_EQ(volume.geometry.size_voxels, glm::ivec3(2, 2, 3));
+    EXPECT_EQ(volume.geometry.spacing_mm, glm::dvec3(1, 1.5, 2));
+    EXPECT_EQ(value_at(volume, {1, 1, 2}), '<');
+    EXPECT_TRUE(has_warning(volume.description, "each voxel has 3 values; the first is shown"));
+  }
+}
+
+TEST(Nrrd, NamesTheUnitsOfItsSamples) {
+  TemporaryFolder folder;
+  write_file(folder / "a.nrrd",
+             "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 2\nsample units: "
+             "BQML\nencoding: raw\n\n12345678");
+  EXPECT_EQ(read_only_volume(folder / "a.nrrd").description.units, "BQML");
+}
+
+TEST(Nrrd, ALastAxisWithoutAPlaceHoldsTimes) {
+  TemporaryFolder folder;
+  write_file(folder / "a.nrrd",
+             "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 2 2 3\nspacings: 1 1 2 NaN\nencoding: "
+             "raw\n\n123456781234567812345678");
+  const Volume volume = read_only_volume(folder / "a.nrrd");
+  EXPECT_EQ(volume.geometry.spacing_mm, glm::dvec3(1, 1, 2));
+  EXPECT_TRUE(has_warning(volume.description, "3 volumes"));
+}
+
 TEST(Nrrd, ReducesChannelsAndTimesAndSaysSo) {
   TemporaryFolder folder;
   std::string pixels;

@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 
 #include "unit/import/import_test_support.h"
@@ -15,26 +16,35 @@ struct TiffField {
   std::uint32_t count, value;
 };
 
-constexpr std::uint32_t kFields = 13;
+constexpr std::uint32_t kFields = 14;
 constexpr std::uint32_t kPageBytes = 2 + kFields * 12 + 4;
-constexpr std::uint32_t kDescriptionBytes = 64;
 
 using TiffFields = std::array<TiffField, kFields>;
 
-TiffFields fields_of(const TiffPicture& picture) {
+std::string padded_description(const TiffPicture& picture) {
+  std::string description = picture.description;
+  description.resize((description.size() / 4 + 1) * 4, '\0');
+  return description;
+}
+
+TiffFields fields_of(const TiffPicture& picture, std::uint32_t page) {
+  const auto text_bytes = static_cast<std::uint32_t>(padded_description(picture).size());
+  const auto plane_bytes = static_cast<std::uint32_t>(picture.pixels.size()) / picture.planes;
   const std::uint32_t rationals = 8 + picture.pages * kPageBytes;
   const std::uint32_t description = rationals + 16;
-  const std::uint32_t pixels = description + kDescriptionBytes;
+  const std::uint32_t plane = std::min(page, picture.planes - 1);
+  const std::uint32_t pixels = description + text_bytes + plane * plane_bytes;
   return {{{256, 4, 1, picture.size_px.x},
            {257, 4, 1, picture.size_px.y},
            {258, 3, 1, 16},
            {259, 3, 1, picture.compression},
            {262, 3, 1, 1},
-           {270, 2, kDescriptionBytes, description},
+           {270, 2, text_bytes, description},
            {273, 4, 1, pixels},
+           {274, 3, 1, picture.orientation},
            {277, 3, 1, 1},
            {278, 4, 1, picture.size_px.y},
-           {279, 4, 1, static_cast<std::uint32_t>(picture.pixels.size())},
+           {279, 4, 1, plane_bytes},
            {282, 5, 1, rationals},
            {283, 5, 1, rationals + 8},
            {296, 3, 1, picture.resolution_unit}}};
@@ -54,18 +64,19 @@ std::string tiff_bytes(const TiffPicture& picture) {
   const bool big = picture.big_endian;
   const auto shorts = [&](const std::vector<std::uint16_t>& v) { return bytes_of_numbers(v, big); };
   const auto longs = [&](const std::vector<std::uint32_t>& v) { return bytes_of_numbers(v, big); };
-  std::string page = shorts({kFields});
-  for (const auto& [tag, type, count, value] : fields_of(picture)) {
-    page += shorts({tag, type}) + longs({count});
-    page += type == 3 ? shorts({static_cast<std::uint16_t>(value), 0}) : longs({value});
-  }
+  const auto page = [&](std::uint32_t number) {
+    std::string bytes = shorts({kFields});
+    for (const auto& [tag, type, count, value] : fields_of(picture, number)) {
+      bytes += shorts({tag, type}) + longs({count});
+      bytes += type == 3 ? shorts({static_cast<std::uint16_t>(value), 0}) : longs({value});
+    }
+    return bytes;
+  };
   std::string file = (big ? "MM" : "II") + shorts({42}) + longs({8});
   for (std::uint32_t i = 1; i <= picture.pages; ++i)
-    file += page + longs({i < picture.pages ? 8 + i * kPageBytes : 0});
-  std::string description = picture.description;
-  description.resize(kDescriptionBytes, '\0');
-  return file + longs({picture.resolution.x, 1, picture.resolution.y, 1}) + description +
-         picture.pixels;
+    file += page(i - 1) + longs({i < picture.pages ? 8 + i * kPageBytes : 0});
+  return file + longs({picture.resolution.x, 1, picture.resolution.y, 1}) +
+         padded_description(picture) + picture.pixels;
 }
 
 std::string png_bytes(const PngPicture& picture) {

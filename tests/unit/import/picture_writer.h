@@ -8,16 +8,18 @@
 
 namespace cutaway::test {
 
-/// One strip of 16-bit grey without compression. Each number is what the file declares.
+/// 16-bit grey without compression, one strip a page. Each number is what the file declares.
 struct TiffPicture {
   glm::uvec2 size_px{5, 4};
   std::string pixels;  ///< in the file's byte order
   bool big_endian = false;
   glm::uvec2 resolution{1, 1};
   std::uint16_t resolution_unit = 1;  ///< 1 none, 2 inch, 3 centimetre
-  std::string description = "-";      ///< up to 63 characters
-  std::uint16_t compression = 1;      ///< 1 none, 5 LZW, 8 zip
-  std::uint32_t pages = 1;            ///< all show the same strip
+  std::string description = "-";
+  std::uint16_t compression = 1;  ///< 1 none, 5 LZW, 8 zip
+  std::uint16_t orientation = 1;
+  std::uint32_t pages = 1;   ///< directories
+  std::uint32_t planes = 1;  ///< that `pixels` holds; page i shows plane i, or the last
 };
 
 std::string tiff_bytes(const TiffPicture& picture);

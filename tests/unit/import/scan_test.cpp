@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,8 @@
 #include "core/error.h"
 #include "unit/import/dicom_writer.h"
 #include "unit/import/import_test_support.h"
+#include "unit/import/nifti_writer.h"
+#include "unit/import/nrrd_writer.h"
 #include "unit/import/picture_writer.h"
 
 namespace cutaway::test {
@@ -61,6 +64,62 @@ TEST(Scan, IdsAreSafeInAddressesAndApart) {
   const Listing again = scan(folder.path());
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_EQ(again.volumes[i].description.id, listing.volumes[i].description.id);
+}
+
+TEST(Scan, ListsTwoBeforeTen) {
+  TemporaryFolder folder;
+  for (const char* name : {"scan 2.mha", "scan 10.mha"})
+    write_file(folder / name, small_metaimage());
+  for (const char* name : {"broken 2.nii", "broken 10.nii"}) write_file(folder / name, "no header");
+  const Listing listing = scan(folder.path());
+  ASSERT_EQ(listing.volumes.size(), 2U);
+  EXPECT_EQ(listing.volumes[0].description.title, "scan 2");
+  ASSERT_EQ(listing.refused.size(), 2U);
+  EXPECT_EQ(listing.refused[0].path, folder / "broken 2.nii");
+}
+
+TEST(Scan, AMarkIsEnoughWhereTheNameSaysNothing) {
+  TemporaryFolder folder;
+  write_file(folder / "one/brain", NiftiFile().with(NiftiFile().ramp_voxels()));
+  write_file(folder / "two/brain.bak",
+             nrrd::header("LPS", {1, 1, 1}, "raw") + "\n" + nrrd::ramp_bytes());
+  const Listing listing = scan(folder.path());
+  EXPECT_TRUE(listing.refused.empty());
+  ASSERT_EQ(listing.volumes.size(), 2U);
+  EXPECT_EQ(listing.volumes[0].description.format, "NIfTI");
+  EXPECT_EQ(listing.volumes[1].description.format, "NRRD");
+  for (const auto& source : listing.volumes) expect_ramp(read(source), 0.5);
+}
+
+TEST(Scan, NamesFilesOfFormatsThatItDoesNotRead) {
+  for (const auto& [name, bytes, what] :
+       std::vector<std::array<std::string, 3>>{{"brain.mgz", "x", "FreeSurfer"},
+                                               {"t1.mnc", "x", "MINC"},
+                                               {"anat+orig.HEAD", "x", "AFNI"},
+                                               {"grid.vti", "x", "VTK"},
+                                               {"grid", "# vtk DataFile Version 3.0\n", "VTK"},
+                                               {"scan.PAR", "x", "Philips"},
+                                               {"data.h5", "x", "HDF5"},
+                                               {"data", "\x89HDF\r\n\x1a\n", "HDF5"},
+                                               {"a.npy", "x", "NumPy"},
+                                               {"map", std::string(208, 'x') + "MAP ", "MRC"},
+                                               {"cell.czi", "x", "microscope"},
+                                               {"bone.stl", "x", "mesh"}}) {
+    TemporaryFolder folder;
+    write_file(folder / name, bytes);
+    const std::string reason = only_refusal(folder.path());
+    EXPECT_NE(reason.find(what), std::string::npos) << name << ": " << reason;
+    EXPECT_NE(reason.find("DICOM"), std::string::npos) << reason;
+    EXPECT_NE(reason.find("NIfTI"), std::string::npos) << reason;
+  }
+}
+
+TEST(Scan, SaysOfAFileAskedForByNameThatItIsNoVolume) {
+  TemporaryFolder folder;
+  write_file(folder / "notes.txt", "hello");
+  EXPECT_TRUE(scan(folder.path()).refused.empty());
+  EXPECT_EQ(only_refusal(folder / "notes.txt"),
+            "no volume of a known format; expected NIfTI, NRRD, MetaImage, image stack, DICOM");
 }
 
 TEST(Scan, NamesThatAreNoTextAreRefused) {
@@ -139,8 +198,8 @@ TEST(Scan, GroupingIsAStepOfItsOwn) {
   reading::scan_in_context(folder.path(), folder.path(), std::move(context));
   const auto grouping = std::find(steps.begin(), steps.end(), "grouping");
   ASSERT_NE(grouping, steps.end());
-  EXPECT_EQ(std::find(grouping, steps.end(), ".dcm"), steps.end());
-  EXPECT_NE(std::find(grouping, steps.end(), ".png"), steps.end());
+  EXPECT_EQ(grouping + 1, steps.end());
+  EXPECT_NE(std::find(steps.begin(), grouping, ".png"), grouping);
 }
 
 TEST(Scan, LinksInsideTheDataFolderCountOnce) {

@@ -138,11 +138,26 @@ TEST(SuggestWindow, IsTheFilesOwnThenTheSoftTissuesThenTheHistograms) {
   const Histogram histogram = mixture({0.0, 512.0}, 256, {{200.0, 20.0, 1.0}});
   VolumeDescription description = described("CT", "HU");
   EXPECT_EQ(suggest_window(description, histogram), (ValueRange{-160.0, 240.0}));
-  description.window = ValueRange{-50.0, 150.0};
-  EXPECT_EQ(suggest_window(description, histogram), (ValueRange{-50.0, 150.0}));
+  description.window = ValueRange{100.0, 300.0};
+  EXPECT_EQ(suggest_window(description, histogram), (ValueRange{100.0, 300.0}));
   const ValueRange of_histogram = suggest_window(described("MR", "none"), histogram);
   EXPECT_NEAR(of_histogram.minimum, 200.0 - 2.33 * 20.0, 5.0);
   EXPECT_NEAR(of_histogram.maximum, 200.0 + 2.33 * 20.0, 5.0);
+}
+
+/// A window of another slice, or of another scanner's numbers, shows one grey.
+TEST(SuggestWindow, IsNotOneThatShowsNothingOfTheValues) {
+  const Histogram histogram = mixture({0.0, 512.0}, 256, {{200.0, 20.0, 1.0}});
+  VolumeDescription description = described("CT", "HU");
+  for (const ValueRange window : {ValueRange{1000.0, 3000.0}, ValueRange{-900.0, -100.0},
+                                  ValueRange{-32768.0, 32767.0}, ValueRange{200.0, 200.0}}) {
+    description.window = window;
+    EXPECT_EQ(suggest_window(description, histogram), (ValueRange{-160.0, 240.0}));
+  }
+  const Histogram lung = mixture({-1000.0, -600.0}, 256, {{-800.0, 30.0, 1.0}});
+  const ValueRange of_lung = suggest_window(described("CT", "HU"), lung);
+  EXPECT_NEAR(of_lung.minimum, -870.0, 10.0);
+  EXPECT_NEAR(of_lung.maximum, -730.0, 10.0);
 }
 
 TEST(SuggestWindow, OfAConstantVolumeIsAroundIt) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -100,24 +101,83 @@ TEST(PackVoxels, FloatsFarFromOneAreStoredNearItWithoutLoss) {
 TEST(PackVoxels, ARescaleBeyondFloatsIsNotFinite) {
   const std::vector<std::int16_t> values{0, 1};
   const PackedVoxels packed = pack_voxels(std::span<const std::int16_t>(values), 1e300);
-  EXPECT_EQ(packed.replaced_non_finite, 1u);
+  EXPECT_EQ(packed.nothing_voxels, 1u);
   EXPECT_EQ(packed.value_range, (ValueRange{0.0, 0.0}));
 }
 
-TEST(PackVoxels, ReplacesWhatIsNotFiniteByTheSmallest) {
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// Else a body of the smallest value and what is not there would be one.
+TEST(PackVoxels, WhatIsNotFiniteLiesBelowAllValues) {
   const std::vector<float> values{kNan, 3.0f, -kInfinity, -2.0f, kInfinity};
   const PackedVoxels packed = pack_voxels(std::span<const float>(values));
-  EXPECT_EQ(packed.replaced_non_finite, 3u);
+  EXPECT_EQ(packed.nothing_voxels, 3u);
+  EXPECT_EQ(packed.nothing_value, -3.0);
   EXPECT_EQ(packed.value_range, (ValueRange{-2.0, 3.0}));
-  EXPECT_EQ(physical(values), (std::vector<double>{-2.0, 3.0, -2.0, -2.0, -2.0}));
+  EXPECT_EQ(physical(values), (std::vector<double>{-3.0, 3.0, -3.0, -2.0, -3.0}));
+}
+
+TEST(PackVoxels, NothingIsAValueOfItsOwnWhateverTheOthersAre) {
+  for (const std::vector<float>& values :
+       {std::vector{0.25f, kNan, 0.75f}, std::vector{0.7f, kNan, 0.7f}, std::vector{0.0f, kNan},
+        std::vector{1e30f, kNan, 1.5e30f}, std::vector{-1e-30f, kNan, 1e-31f},
+        std::vector{16777216.0f * 4, kNan}}) {
+    const PackedVoxels packed = pack_voxels(std::span<const float>(values));
+    ASSERT_TRUE(packed.nothing_value.has_value());
+    EXPECT_LT(*packed.nothing_value, packed.value_range.minimum);
+    EXPECT_LT(physical(values)[1], packed.value_range.minimum);
+  }
+}
+
+TEST(PackVoxels, IntegersThatAreNotValidLieBelowAllValues) {
+  const std::vector<std::int16_t> values{-32768, 5, 7};
+  const ValidValues<std::int16_t> valid{.lowest = -32767};
+  const std::span<const std::int16_t> span(values);
+  const PackedVoxels packed = pack_voxels(span, 2.0, 1.0, valid);
+  EXPECT_EQ(packed.value_range, (ValueRange{11.0, 15.0}));
+  EXPECT_EQ(packed.nothing_value, 9.0);
+  EXPECT_EQ(packed.voxels, Voxels(std::vector<std::uint16_t>{0, 1, 3}));
+  const PackedVoxels falling = pack_voxels(span, -2.0, 1.0, valid);
+  EXPECT_EQ(falling.value_range, (ValueRange{-13.0, -9.0}));
+  EXPECT_EQ(falling.nothing_value, -15.0);
+  EXPECT_EQ(falling.voxels, Voxels(std::vector<std::uint16_t>{0, 3, 1}));
+}
+
+/// 65536 values leave no place for one more in 16 bits.
+TEST(PackVoxels, AFullRangeOfIntegersWithNothingIsStoredAsFloats) {
+  const std::vector<std::int32_t> values{0, 65535, -9999};
+  const PackedVoxels packed =
+      pack_voxels(std::span<const std::int32_t>(values), 1.0, 0.0, {.lowest = 0});
+  EXPECT_EQ(packed.voxels, Voxels(std::vector<float>{0.0f, 65535.0f, -1.0f}));
 }
 
 TEST(PackVoxels, ADoubleTooLargeForAFloatIsNotFinite) {
   const std::vector<double> values{1e300, 0.5};
-  EXPECT_EQ(pack_voxels(std::span<const double>(values)).replaced_non_finite, 1u);
-  EXPECT_EQ(physical(values), (std::vector<double>{0.5, 0.5}));
+  EXPECT_EQ(pack_voxels(std::span<const double>(values)).nothing_voxels, 1u);
+  EXPECT_EQ(physical(values), (std::vector<double>{-0.5, 0.5}));
+}
+
+/// A caller may give back or overwrite what is behind, in pieces, whatever it becomes.
+TEST(PackVoxels, NeverLooksBackAtWhatItHasConsumed) {
+  for (const bool narrow : {true, false}) {
+    std::vector<std::int32_t> values((std::size_t{1} << 23) + 5);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = std::int32_t(i % 1000) * (narrow ? 1 : 1000);
+    std::size_t last = 0;
+    int pieces = 0;
+    const PackedVoxels packed =
+        pack_voxels<std::int32_t>(values, 1.0, 0.0, {}, [&](std::size_t done) {
+          std::fill(values.begin() + std::ptrdiff_t(last), values.begin() + std::ptrdiff_t(done),
+                    -7);
+          last = done;
+          ++pieces;
+        });
+    EXPECT_EQ(last, values.size());
+    EXPECT_EQ(pieces, 3);
+    EXPECT_EQ(packed.value_range, (ValueRange{0.0, narrow ? 999.0 : 999000.0}));
+    std::visit([&](const auto& v) { EXPECT_EQ(v[1999], narrow ? 999 : 999000); }, packed.voxels);
+  }
 }
 
 TEST(PackVoxels, RefusesVoxelsWithoutAFiniteValue) {

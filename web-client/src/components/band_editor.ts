@@ -81,7 +81,7 @@ export class BandEditor extends LitElement {
   }
 
   private text(value: number): string {
-    return valueText(value, this.model.lower.unit === 'HU' ? 'HU' : 'none');
+    return valueText(value, this.model.lower.unit || 'none');
   }
 
   private handle(control: NumberControl) {

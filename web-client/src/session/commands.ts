@@ -59,7 +59,7 @@ export class Commands {
   }
 
   zoom(magnification: number): void {
-    this.move((camera) => zoom(camera, magnification));
+    this.move((camera) => zoom(camera, magnification, this.store.state.volume?.diagonal_mm));
   }
 
   roll(angle_radians: number): void {

@@ -90,7 +90,8 @@ export class Slicing {
   }
 
   zoom(name: SliceName, magnification: number, about_px?: Point): void {
-    this.move(name, (view) => zoomed(view, magnification, about_px ?? middleOf(view)));
+    const diagonal_mm = this.state.volume?.diagonal_mm;
+    this.move(name, (view) => zoomed(view, magnification, about_px ?? middleOf(view), diagonal_mm));
   }
 
   /** The whole volume again. */

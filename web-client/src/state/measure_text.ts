@@ -15,8 +15,18 @@ export function valueText(value: number, units: string): string {
   return units === 'none' ? number : `${number} ${units}`;
 }
 
+const MICROMETRES_PER_MM = 1000;
+const SMALLEST_IN_MM = 0.1;
+
+/** '12.3 mm'; what a millimetre with one digit cannot say in micrometres. */
+export function lengthText(length_mm: number): string {
+  if (length_mm >= SMALLEST_IN_MM || length_mm === 0)
+    return `${words().number(length_mm, DIGITS)} mm`;
+  return `${words().number(length_mm * MICROMETRES_PER_MM, DIGITS)} µm`;
+}
+
 export function resultText({ value, unit }: MeasurementResult): string {
-  if (unit === 'mm') return `${words().number(value, DIGITS)} mm`;
+  if (unit === 'mm') return lengthText(value);
   if (unit === 'degrees') return `${words().number(value, DIGITS)}°`;
   return valueText(value, unit);
 }

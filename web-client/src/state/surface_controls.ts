@@ -32,7 +32,7 @@ function endControl(
     minimum,
     maximum,
     step: roundStep(minimum, maximum),
-    unit: volume.units === 'HU' ? 'HU' : '',
+    unit: volume.units === 'none' ? '' : volume.units,
   };
 }
 

@@ -6,6 +6,8 @@ import { add, length, rotateAbout, scale, subtract, type Vector3 } from './vecto
 /** A drag over the shorter side of the viewport turns the volume half around. */
 const TURN_PER_SHORT_SIDE_RADIANS = Math.PI;
 const NEAREST_MM = 1;
+/** Of the volume's diagonal: what is a few micrometres across wants to be seen as near. */
+const NEAREST_SHARE = 0.005;
 const FARTHEST_MM = 20_000;
 
 /**
@@ -55,14 +57,17 @@ export function panByPixels(
   };
 }
 
-const clampDistance = (distance_mm: number): number =>
-  Math.min(FARTHEST_MM, Math.max(NEAREST_MM, distance_mm));
+/** How near one may come to what lies within a volume of that diagonal. */
+export const nearestMm = (diagonal_mm: number): number =>
+  Math.min(NEAREST_MM, NEAREST_SHARE * diagonal_mm);
 
 /** Less than any picture shows: what rounding makes of a distance at its limit. */
 const isSame = (a_mm: number, b_mm: number): boolean => Math.abs(a_mm - b_mm) < 1e-9 * b_mm;
 
 /** `magnification` above 1 makes the volume larger in the picture. At the limit, the same camera. */
-export function zoom(camera: Camera, magnification: number): Camera {
+export function zoom(camera: Camera, magnification: number, diagonal_mm = Infinity): Camera {
+  const clampDistance = (distance_mm: number): number =>
+    Math.min(FARTHEST_MM, Math.max(nearestMm(diagonal_mm), distance_mm));
   if (camera.projection === 'orthographic') {
     const view_height_mm = clampDistance(camera.view_height_mm / magnification);
     return isSame(view_height_mm, camera.view_height_mm) ? camera : { ...camera, view_height_mm };

@@ -2,6 +2,7 @@
 // space (LPS, mm), angles radians.
 import type { VolumeSummary } from '../protocol/messages.ts';
 import type { Point } from './camera.ts';
+import { nearestMm } from './camera_motion.ts';
 import {
   extentAlong,
   runsAlongAxis,
@@ -15,7 +16,6 @@ import {
 } from './slice_geometry.ts';
 import { add, cross, dot, rotateAbout, scale, subtract, type Vector3 } from './vector.ts';
 
-const NEAREST_MM = 1;
 const FARTHEST_MM = 20_000;
 /** Of the way to the next: that near a slice it is that one. */
 const ON_SLICE = 1e-3;
@@ -87,10 +87,12 @@ export function zoomed(
   projection: SliceProjection,
   magnification: number,
   about_px: Point,
+  diagonal_mm = Infinity,
 ): SlicePart {
   const { plane, mm_per_pixel, viewport } = projection;
   const height_mm = mm_per_pixel * viewport.height_px;
-  const view_height_mm = clamped(height_mm / magnification, NEAREST_MM, FARTHEST_MM);
+  const nearest_mm = nearestMm(diagonal_mm);
+  const view_height_mm = clamped(height_mm / magnification, nearest_mm, FARTHEST_MM);
   const about_mm = projection.toPatient(about_px);
   const arm_mm = subtract(plane.centre_mm, about_mm);
   return { centre_mm: add(about_mm, scale(arm_mm, view_height_mm / height_mm)), view_height_mm };

@@ -25,8 +25,9 @@ export interface ViewProjection {
   readonly foreshortens: boolean;
 }
 
-/** What is nearer to the eye is not drawn, mm. */
+/** What is nearer to the eye is not drawn: 1 mm, or less where the view is of something tiny. */
 const NEAREST_MM = 1;
+const NEAREST_SHARE = 0.01;
 
 /** The piece of a line in front of the eye. */
 function inFront(
@@ -36,7 +37,8 @@ function inFront(
 ): readonly [Vector3, Vector3] | undefined {
   const { backward } = cameraAxes(camera);
   const depth = (point_mm: Vector3): number => dot(subtract(camera.eye_mm, point_mm), backward);
-  const [first, last] = [depth(from_mm) - NEAREST_MM, depth(to_mm) - NEAREST_MM];
+  const nearest_mm = Math.min(NEAREST_MM, NEAREST_SHARE * depth(camera.target_mm));
+  const [first, last] = [depth(from_mm) - nearest_mm, depth(to_mm) - nearest_mm];
   if (first < 0 && last < 0) return undefined;
   if (first >= 0 && last >= 0) return [from_mm, to_mm];
   const crossing_mm = add(from_mm, scale(subtract(to_mm, from_mm), first / (first - last)));

@@ -1,0 +1,24 @@
+// Numbers that stand for "no value": -32768, -9999, the largest float and their like.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "volume/voxel_packing.h"
+
+namespace cutaway::reading {
+
+template <typename T>
+struct NoData {
+  ValidValues<T> valid;
+  std::size_t voxels = 0;          ///< finite ones, outside of `valid`
+  std::optional<double> number{};  ///< that they hold; one of them, where there are several
+};
+
+/// A number counts as no value where it is a custom to write it for one and it lies apart from all
+/// others by more than their range: a tissue has neighbours. Works on values as stored, before the
+/// rescale. Instantiated for the number types of RawVoxels.
+template <typename T>
+NoData<T> find_no_data(std::span<const T> values);
+
+}  // namespace cutaway::reading
