@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 from png import png_pixels
 from wire import png_size
@@ -129,6 +130,26 @@ class InfoTest(CommandLineTest):
         self.assertEqual(status, FAILED)
         self.assert_one_plain_line(errors, "notes.txt")
 
+
+    def test_a_volume_takes_hardly_more_memory_than_its_voxels(self):
+        """Of the process and of its reader, each: 1.5 times the voxels and 64 MB."""
+        size, bytes_of_voxels = 400, 2 * 400**3
+        header = (f"NDims = 3\nDimSize = {size} {size} {size}\nElementSpacing = 1 1 1\nElementType = MET_SHORT\n"
+                  "CompressedData = True\nElementDataFile = LOCAL\n")
+        path = self.folder / "mask.mha"
+        packer = zlib.compressobj(1)
+        with path.open("wb") as file:
+            file.write(header.encode())
+            for plane in range(size):
+                file.write(packer.compress(bytes([plane % 2, 0]) * size * size))
+            file.write(packer.flush())
+        measure = ("import resource, subprocess, sys; done = subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL);"
+                   "print(done.returncode, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)")
+        done = subprocess.run([sys.executable, "-c", measure, BINARY, "info", str(path)], capture_output=True,
+                              text=True, timeout=300)
+        status, most_kib = map(int, done.stdout.split())
+        self.assertEqual(status, OK, done.stderr)
+        self.assertLess(most_kib * 1024, 1.5 * bytes_of_voxels + (64 << 20))
 
     def test_a_report_that_cannot_be_written_fails_in_one_line(self):
         for arguments in (["info", SMALL], ["info", SMALL, "--json"]):

@@ -1,7 +1,6 @@
 #include "import/isolation/isolated_reader.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -59,33 +58,6 @@ TEST(IsolatedReader, TellsWhatItSetForNothing) {
   const VolumeSource source = only_source(folder.path(), folder.path());
   EXPECT_EQ(read_volume_isolated(worker(), source, {}, {}, {}).nothing_value, 0.0);
 }
-
-#ifndef __SANITIZE_ADDRESS__
-/// The most that any child has had so far, code included.
-std::int64_t most_resident_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_CHILDREN, &usage);
-  return std::int64_t{usage.ru_maxrss} * 1024;
-}
-
-/// A voxel is there once in the file's numbers or in ours, but for a piece on its way.
-TEST(IsolatedReader, TakesHardlyMoreThanTheVoxelsThemselves) {
-  TemporaryFolder folder;
-  constexpr std::int64_t kVoxels = 400 * 400 * 400;
-  std::string header =
-      "NDims = 3\nDimSize = 400 400 400\nElementSpacing = 1 1 1\nElementType = MET_SHORT\n"
-      "CompressedData = True\nElementDataFile = LOCAL\n";
-  std::string voxels(2 * kVoxels, '\0');
-  for (std::size_t i = 0; i < voxels.size(); i += 1000) voxels[i] = 1;
-  write_file(folder / "mask.mha", header + zlib(voxels));
-  const std::int64_t before = most_resident_bytes();
-  const std::int64_t most = 3 * kVoxels + (std::int64_t{64} << 20);
-  ASSERT_LT(before, most) << "of another test's child";
-  const VolumeSource source = only_source(folder.path(), folder.path());
-  EXPECT_EQ(byte_size(read_volume_isolated(worker(), source, {}, {}, {})), 2U * kVoxels);
-  EXPECT_LT(most_resident_bytes(), most);
-}
-#endif
 
 TEST(IsolatedReader, PassesFloatsToo) {
   TemporaryFolder folder;
