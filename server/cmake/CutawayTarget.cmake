@@ -11,6 +11,7 @@ target_compile_options(cutaway_options INTERFACE
   -Wno-missing-field-initializers  # designated initialisers leave the rest at its defaults
   # gcc 12's flow analysis sees these in the standard library where there are none (PR 105329, 105562, 105651).
   -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-unknown-warning-option>
   $<$<BOOL:${CUTAWAY_WARNINGS_AS_ERRORS}>:-Werror>)
 if(CUTAWAY_SANITIZE MATCHES "undefined")
   # Else it is only said, and the test that did it passes.

@@ -183,6 +183,7 @@ COMMANDS = {
     "npm run mock": Run(mock_server),
     "tests/run": Elsewhere("tests/run", "tests/readme/run"),
     "tests/tools/check_arrows": Elsewhere("tests/run", "tests/tools/check_arrows"),
+    "tests/fresh_machine": Elsewhere(".ci/run", "tests/fresh_machine"),
     "tests/evaluation/tests/run": Elsewhere("tests/run", "tests/evaluation/tests/run"),
     "tests/evaluation/run": Run(evaluation),
     "tests/benchmark/run": Run(benchmark),
