@@ -185,6 +185,7 @@ void Server::Impl::end_all() {
   log().info("stopping");
   error_code ignored;
   acceptor_.close(ignored);
+  signals_.cancel(ignored);
   signals_.clear(ignored);  // the next does what signals do by themselves
   accept_pause_.cancel();
   connections_.for_each([](const auto& connection) { connection->close(); });
