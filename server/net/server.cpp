@@ -217,6 +217,7 @@ void Server::Impl::end_all() {
   log().info("stopping");
   error_code ignored;
   acceptor_.close(ignored);
+  signals_.cancel(ignored);
   signals_.clear(ignored);  // the next does what signals do by themselves
   accept_pause_.cancel();
   order_timer_.cancel();
