@@ -177,10 +177,12 @@ std::optional<PlacedLens> placed_lens(const VolumeFacts& volume, const LensPlace
 SightOfFocus sight_of_focus(const VolumeFacts& volume, const LensPlacementView& view,
                             const PlacedLens& lens) {
   if (!volume.first_surface_mm) return SightOfFocus::some;
+  const LensBody body(
+      {.shape = view.shape, .centre_mm = lens.centre_mm, .radius_mm = lens.radius_mm});
   bool is_met = false;
   bool is_open = false;
   for (const ProbedRay& probed : probe_view(volume, view)) {
-    const auto lens_mm = through_sphere_mm(probed.ray, lens.centre_mm, lens.radius_mm);
+    const auto lens_mm = body.interval_mm(probed.ray);
     if (!lens_mm) continue;
     is_met = true;
     const bool uncovered = probed.context_mm >= lens_mm->x;
