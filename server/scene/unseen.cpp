@@ -45,7 +45,7 @@ std::optional<std::string> reason_for_branch(const std::string& name, const Bran
 
 std::optional<std::string> reason_for_lens(const Scene& scene, const VolumeFacts& volume) {
   const LensPlacementView view{scene.camera, scene.viewport, scene.context.surface.band,
-                               scene.focus.surface.band};
+                               scene.focus.surface.band, scene.lens.shape};
   switch (sight_of_focus(volume, view, {scene.lens.centre_mm, scene.lens.radius_mm})) {
     case SightOfFocus::some:
       return std::nullopt;
