@@ -138,16 +138,16 @@ Server::Hooks Serving::hooks() {
 
 std::unique_ptr<Session> Serving::make_session(std::shared_ptr<Strand> strand, ClientSink& client) {
   const std::uint64_t view = next_view_.fetch_add(kViews + 3);
-  return std::make_unique<Session>(SessionEnds{.strand = std::move(strand),
-                                               .frames = *frames_,
-                                               .volumes = *volumes_,
-                                               .client = client,
-                                               .live_views = views_from(view),
-                                               .still_view = view + kViews,
-                                               .preview_view = view + kViews + 1,
-                                               .volume_preview_view = view + kViews + 2,
-                                               .previews = previews_,
-                                               .capabilities = capabilities_},
+  return std::make_unique<Session>(SessionWiring{.strand = std::move(strand),
+                                                 .frames = *frames_,
+                                                 .volumes = *volumes_,
+                                                 .client = client,
+                                                 .live_views = views_from(view),
+                                                 .still_view = view + kViews,
+                                                 .preview_view = view + kViews + 1,
+                                                 .volume_preview_view = view + kViews + 2,
+                                                 .previews = previews_,
+                                                 .capabilities = capabilities_},
                                    session_settings_);
 }
 

@@ -80,11 +80,11 @@ std::uint64_t FramePipeline::picture_of_volume(ViewState& view, const Scene& sce
   RayCastKey rays = ray_cast_key(scene, volume, settings);
   rays.entry_version = find_entries(draft, rays, volume);
   const std::uint64_t surface = cast_rays(draft, rays, volume);
-  const auto looks = looks_of(scene);
+  const auto lit = lit_shadings(scene);
   const auto branch = [&](BranchIndex index, const Branch& described) {
     const auto shaded = rays.is_translucent()
                             ? resolve(draft, index, surface)
-                            : shade(draft, index, {surface, rays.rays, looks[index]});
+                            : shade(draft, index, {surface, rays.rays, lit[index]});
     return filter(draft, index, described.filters, shaded);
   };
   const auto context = branch(kContext, scene.context);
@@ -163,7 +163,7 @@ FramePipeline::BranchPicture FramePipeline::shade(const Draft& draft, BranchInde
 FramePipeline::BranchPicture FramePipeline::resolve(const Draft& draft, BranchIndex index,
                                                     std::uint64_t layers_version) {
   const BranchBuffers& buffers = draft.buffers.branches[index];
-  const ShadeKey key{.surface_version = layers_version, .rays = {}, .look = {}};
+  const ShadeKey key{.surface_version = layers_version, .rays = {}, .lit = {}};
   const std::uint64_t version = draft.view.branches_[index].shade.schedule(
       key, draft.plan,
       {.name = "resolve",

@@ -69,10 +69,10 @@ class JobQueue {
   }
 
   /// The jobs that wait, in the order in which they began to.
-  template <typename Look>
-  void for_each(const Look& look) const {
+  template <typename Visit>
+  void for_each(const Visit& visit) const {
     const std::lock_guard lock(mutex_);
-    for (const Job& job : jobs_) look(job);
+    for (const Job& job : jobs_) visit(job);
   }
 
   bool has(std::uint64_t view) const {

@@ -59,11 +59,11 @@ void set_search(const gl::Program& program, const RayCastKey& key, const GpuVolu
   set_bands(program, key, volume);
 }
 
-void set_looks(const gl::Program& program, const RayCastKey& key) {
+void set_lit_shadings(const gl::Program& program, const RayCastKey& key) {
   program.set("opacities", glm::vec2(key.surfaces[kContext].opacity, key.surfaces[kFocus].opacity));
-  program.set("light_direction", key.looks->at(kContext).light_direction);
+  program.set("light_direction", key.lit->at(kContext).light_direction);
   for (const BranchIndex branch : {kContext, kFocus})
-    set_shading(program, branch, key.looks->at(branch).shading);
+    set_shading(program, branch, key.lit->at(branch).shading);
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ void RayCastPass::draw(const Entry& entry, const RayCastKey& key, GpuVolume& vol
   program.set("pixel_size", 2.0F * glm::length(key.rays.view_up) / key.rays.whole_px.y);
   set_search(program, key, volume);
   set_lens(program, key.lens);
-  if (key.is_translucent()) set_looks(program, key);
+  if (key.is_translucent()) set_lit_shadings(program, key);
   const gl::DepthTest test(gl::DepthTest::over_drawn);
   for (const gl::PixelRect& part : parts) {
     (key.is_translucent() ? buffers.layers_target : buffers.surface_target).bind(part);

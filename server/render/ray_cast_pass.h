@@ -19,13 +19,13 @@ struct RayCastKey {
   ViewRays rays{};
   std::array<Surface, kBranches> surfaces;
   /// Where a branch lets light through, layers are coloured on the way; nothing else looks here.
-  std::optional<std::array<Look, kBranches>> looks;
+  std::optional<std::array<LitShading, kBranches>> lit;
   Lens lens;  ///< only what shapes its region: what the composite alone reads is empty
   double step_voxels = 1.0;
   bool skip_empty_space = true;
   bool operator==(const RayCastKey&) const = default;
 
-  bool is_translucent() const { return looks.has_value(); }
+  bool is_translucent() const { return lit.has_value(); }
 };
 
 /// Opaque branches leave a surface, which is coloured later; translucent ones their layers, already

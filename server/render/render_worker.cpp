@@ -111,7 +111,7 @@ RenderWorker::Place RenderWorker::find(std::uint64_t view) {
   return std::ranges::find_if(drawing_, [=](const Drawing& each) { return each.view() == view; });
 }
 
-// With all that is drawn beside it a part stays within the views' memory (ViewShelf::has_room). One
+// With all that is drawn beside it a part stays within the views' memory (ViewCache::has_room). One
 // whose buffers serve nothing after it leaves more of them to those that do.
 PartLimits RenderWorker::part_limits(bool is_followed) const {
   return {.bytes = view_bytes_ / (is_followed ? 2 : 4), .side_px = context_.max_texture_size()};

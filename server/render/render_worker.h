@@ -12,7 +12,7 @@
 #include "render/frame_pipeline.h"
 #include "render/picture_parts.h"
 #include "render/render_thread.h"
-#include "render/view_shelf.h"
+#include "render/view_cache.h"
 
 namespace cutaway {
 
@@ -103,7 +103,7 @@ class RenderWorker {
   std::uint64_t view_bytes_;
   bool lost_ = false;
   FramePipeline pipeline_;
-  ViewShelf views_;
+  ViewCache views_;
   DeviceVolumes volumes_;
   FairShare shares_;               ///< of sessions
   FairShare turns_;                ///< of views, among those of a session

@@ -25,7 +25,7 @@ ShadePass::ShadePass(const gl::ShaderLibrary& shaders) {
 void ShadePass::run(const ShadeKey& key, BranchIndex index, const BranchBuffers& branch,
                     const gl::PixelRect& strip, int supersampling,
                     const gl::FullscreenTriangle& triangle) const {
-  const ShadingModel& model = find_shading_model(key.look.shading.name);
+  const ShadingModel& model = find_shading_model(key.lit.shading.name);
   const auto entry = std::ranges::find_if(programs_, [&](const Entry& each) {
     return each.model == &model && each.branch == index && each.supersampling == supersampling;
   });
@@ -33,9 +33,9 @@ void ShadePass::run(const ShadeKey& key, BranchIndex index, const BranchBuffers&
   const gl::Program& program = entry->program;
   program.use();
   program.set_texture("surface_texture", 0, branch.surface.name());
-  program.set("light_direction", key.look.light_direction);
+  program.set("light_direction", key.lit.light_direction);
   set_view_rays(program, key.rays);
-  model.set_parameters(UniformStruct(program, model.name, index), key.look.shading.parameters);
+  model.set_parameters(UniformStruct(program, model.name, index), key.lit.shading.parameters);
   branch.shade_target.bind(strip);
   const gl::DepthTest test(gl::DepthTest::over_drawn);
   triangle.draw();

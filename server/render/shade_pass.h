@@ -12,16 +12,16 @@
 namespace cutaway {
 
 /// How a branch's points are coloured.
-struct Look {
+struct LitShading {
   Module shading;
   glm::vec3 light_direction{0.0F};  ///< unit, towards the light, patient space
-  bool operator==(const Look&) const = default;
+  bool operator==(const LitShading&) const = default;
 };
 
 struct ShadeKey {
   std::uint64_t surface_version = 0;  ///< of the ray cast, whose rays are these
   ViewRays rays{};
-  Look look;
+  LitShading lit;
   bool operator==(const ShadeKey&) const = default;
 };
 

@@ -25,9 +25,9 @@ bool is_translucent(const Scene& scene) {
 
 }  // namespace
 
-std::array<Look, kBranches> looks_of(const Scene& scene) {
+std::array<LitShading, kBranches> lit_shadings(const Scene& scene) {
   const glm::vec3 light = light_direction_patient(scene.light, scene.camera);
-  return {Look{scene.context.shading, light}, Look{scene.focus.shading, light}};
+  return {LitShading{scene.context.shading, light}, LitShading{scene.focus.shading, light}};
 }
 
 RayCastKey ray_cast_key(const Scene& scene, const GpuVolume& volume,
@@ -35,11 +35,11 @@ RayCastKey ray_cast_key(const Scene& scene, const GpuVolume& volume,
   RayCastKey key{
       .rays = in_tile(view_rays(scene.camera, scene.viewport, volume.volume().geometry), settings),
       .surfaces = {scene.context.surface, scene.focus.surface},
-      .looks = {},
+      .lit = {},
       .lens = region_of(scene.lens),
       .step_voxels = settings.step_voxels,
       .skip_empty_space = settings.skip_empty_space};
-  if (is_translucent(scene)) key.looks = looks_of(scene);
+  if (is_translucent(scene)) key.lit = lit_shadings(scene);
   return key;
 }
 

@@ -16,7 +16,7 @@ namespace cutaway {
 RayCastKey ray_cast_key(const Scene& scene, const GpuVolume& volume,
                         const RenderSettings& settings);
 
-std::array<Look, kBranches> looks_of(const Scene& scene);
+std::array<LitShading, kBranches> lit_shadings(const Scene& scene);
 
 /// Nothing where the lens is another one.
 std::optional<MagicLens> magic_lens(const Scene& scene, const ViewRays& rays);

@@ -9,7 +9,7 @@
 #include "services/large_stills.h"
 #include "services/settings.h"
 #include "services/upload_target.h"
-#include "session/ends.h"
+#include "session/frame_source.h"
 
 namespace cutaway {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "session/ends.h"
+#include "session/volume_library.h"
 
 namespace cutaway {
 

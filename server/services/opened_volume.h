@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "session/ends.h"
+#include "session/volume_library.h"
 #include "volume/loaded_volume.h"
 
 namespace cutaway {

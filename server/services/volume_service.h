@@ -12,7 +12,7 @@
 #include "services/upload_target.h"
 #include "services/volume_cache.h"
 #include "services/volume_catalogue.h"
-#include "session/ends.h"
+#include "session/volume_library.h"
 
 namespace cutaway {
 

@@ -26,18 +26,18 @@ Error not_awaited(std::uint32_t frame, const std::string& awaited) {
 
 }  // namespace
 
-FrameFlow::FrameFlow(const std::shared_ptr<Strand>& strand, const ViewEnds& ends,
+FrameFlow::FrameFlow(const std::shared_ptr<Strand>& strand, const ViewWiring& wiring,
                      const SessionSettings& settings, std::function<void(const Error&)> failed)
     : strand_(strand),
-      ends_(ends),
+      wiring_(wiring),
       failed_(std::move(failed)),
       credits_(settings.frames_in_flight),
       pacer_(settings.rest),
       quality_(settings),
       alarm_(strand->make_alarm([this] { pump(); })),
-      tether_(strand) {}
+      callbacks_(strand) {}
 
-FrameFlow::~FrameFlow() { ends_.source.release(ends_.view.view); }
+FrameFlow::~FrameFlow() { wiring_.source.release(wiring_.view.view); }
 
 void FrameFlow::show(SceneSnapshot snapshot) {
   if (newest_.scene && newest_.scene->volume != snapshot.scene->volume) quality_.forget_rays();
@@ -49,13 +49,13 @@ void FrameFlow::show(SceneSnapshot snapshot) {
 void FrameFlow::hide() {
   newest_ = {};
   for (const Sent& sent : std::exchange(sent_, {})) {
-    ends_.link.arrived(sent.bytes);
+    wiring_.link.arrived(sent.bytes);
     credits_.give_back();
   }
   if (last_number_ > 0) hidden_ = last_number_;
   pacer_.give_up();
   alarm_->clear();
-  ends_.source.release(ends_.view.view);
+  wiring_.source.release(wiring_.view.view);
 }
 
 void FrameFlow::acknowledge(std::uint32_t frame) {
@@ -66,7 +66,7 @@ void FrameFlow::acknowledge(std::uint32_t frame) {
     const Sent sent = sent_.front();
     if (sent.number == frame) measure(sent);
     sent_.pop_front();
-    ends_.link.arrived(sent.bytes);
+    wiring_.link.arrived(sent.bytes);
     credits_.give_back();
   }
   pump();
@@ -107,12 +107,12 @@ void FrameFlow::pump() {
 // How many rays a still may have is known once the first frame is back, and as views are drawn one
 // frame at a time, it would wait for that anyway.
 bool FrameFlow::is_early(FrameKind kind) const {
-  return kind == FrameKind::still && ends_.kind == ViewKind::volume && !asked_.empty() &&
+  return kind == FrameKind::still && wiring_.kind == ViewKind::volume && !asked_.empty() &&
          !quality_.knows_rays();
 }
 
 bool FrameFlow::renew(FrameKind kind) {
-  if (asked_.empty() || !ends_.source.renew(request(kind))) return false;
+  if (asked_.empty() || !wiring_.source.renew(request(kind))) return false;
   asked_.back().snapshot = newest_;
   return true;
 }
@@ -121,15 +121,15 @@ bool FrameFlow::ask(FrameKind kind) {
   if (!credits_.take()) return false;
   const std::uint64_t id = ++last_id_;
   asked_.push_back({id, newest_});
-  ends_.source.submit(request(kind), tether_.bind<FrameOutcome>([this, id](FrameOutcome outcome) {
-    came_back(id, std::move(outcome));
-  }));
+  wiring_.source.submit(
+      request(kind), callbacks_.bind<FrameOutcome>(
+                         [this, id](FrameOutcome outcome) { came_back(id, std::move(outcome)); }));
   return true;
 }
 
 FrameRequest FrameFlow::request(FrameKind kind) const {
-  return {.view = ends_.view.view,
-          .share = ends_.view.share,
+  return {.view = wiring_.view.view,
+          .share = wiring_.view.share,
           .revision = newest_.revision,
           .scene = newest_.scene,
           .quality = kind == FrameKind::still ? quality_.still(newest_.scene->viewport)
@@ -168,19 +168,20 @@ void FrameFlow::send(const SceneSnapshot& shown, const Frame& frame) {
                        std::chrono::microseconds(frame.render_us));
   const std::uint32_t number = ++last_number_;
   const std::size_t bytes = frame.picture.bytes.size();
-  ends_.link.sent(bytes);
-  sent_.push_back({number, frame.quality, bytes, ends_.link.bytes_in_flight(), strand_->now()});
+  wiring_.link.sent(bytes);
+  sent_.push_back({number, frame.quality, bytes, wiring_.link.bytes_in_flight(), strand_->now()});
   std::vector<std::uint8_t> message =
       live_frame_message(number, shown.stamp, shown.scene->viewport, frame);
-  ends_.sink.send_frame(ends_.kind, std::move(message),
-                        tether_.bind<bool>([this, number](bool sent) { written(number, sent); }));
+  wiring_.sink.send_frame(
+      wiring_.kind, std::move(message),
+      callbacks_.bind<bool>([this, number](bool sent) { written(number, sent); }));
 }
 
 void FrameFlow::written(std::uint32_t number, bool sent) {
   if (sent) return;
   const auto lost = std::ranges::find(sent_, number, &Sent::number);
   if (lost == sent_.end()) return;
-  ends_.link.arrived(lost->bytes);
+  wiring_.link.arrived(lost->bytes);
   sent_.erase(lost);
   credits_.give_back();
   pump();

@@ -8,13 +8,14 @@
 #include <memory>
 #include <optional>
 
+#include "session/client_sink.h"
 #include "session/credits.h"
-#include "session/ends.h"
 #include "session/frame_message.h"
+#include "session/frame_source.h"
 #include "session/link_load.h"
 #include "session/pacer.h"
 #include "session/quality_control.h"
-#include "session/tether.h"
+#include "session/weak_callbacks.h"
 
 namespace cutaway {
 
@@ -25,7 +26,7 @@ struct SceneSnapshot {
 };
 
 /// What the frames of one view go through.
-struct ViewEnds {
+struct ViewWiring {
   FrameSource& source;
   ClientSink& sink;
   LinkLoad& link;  ///< the session's; outlives the flow
@@ -37,7 +38,7 @@ struct ViewEnds {
 class FrameFlow {
  public:
   /// `failed` hears of each frame that could not be rendered.
-  FrameFlow(const std::shared_ptr<Strand>& strand, const ViewEnds& ends,
+  FrameFlow(const std::shared_ptr<Strand>& strand, const ViewWiring& wiring,
             const SessionSettings& settings, std::function<void(const Error&)> failed);
   ~FrameFlow();
   FrameFlow(const FrameFlow&) = delete;
@@ -81,7 +82,7 @@ class FrameFlow {
   void measure(const Sent& sent);
 
   std::shared_ptr<Strand> strand_;
-  ViewEnds ends_;
+  ViewWiring wiring_;
   std::function<void(const Error&)> failed_;
   Credits credits_;
   Pacer pacer_;
@@ -95,7 +96,7 @@ class FrameFlow {
   std::optional<std::uint32_t> acknowledged_;
   std::optional<std::uint32_t> hidden_;  ///< the last frame before the view was hidden
   std::unique_ptr<Alarm> alarm_;
-  Tether tether_;
+  WeakCallbacks callbacks_;
 };
 
 }  // namespace cutaway

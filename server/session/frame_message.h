@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene/client_message.h"
-#include "session/ends.h"
+#include "session/frame_source.h"
 
 namespace cutaway {
 

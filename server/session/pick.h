@@ -5,7 +5,7 @@
 
 #include "scene/server_message.h"
 #include "scene/view_geometry.h"
-#include "session/ends.h"
+#include "session/volume_library.h"
 
 namespace cutaway {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "session/ends.h"
+#include "session/frame_source.h"
 
 namespace cutaway {
 

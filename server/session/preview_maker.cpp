@@ -29,10 +29,10 @@ Viewport viewport_of(const PreviewMessage& wish) { return {wish.width_px, wish.h
 
 }  // namespace
 
-PreviewMaker::PreviewMaker(Ends ends, Hooks hooks)
-    : ends_(std::move(ends)), hooks_(std::move(hooks)), tether_(ends_.strand) {}
+PreviewMaker::PreviewMaker(Wiring wiring, Hooks hooks)
+    : wiring_(std::move(wiring)), hooks_(std::move(hooks)), callbacks_(wiring_.strand) {}
 
-PreviewMaker::~PreviewMaker() { ends_.source.release(ends_.view.view); }
+PreviewMaker::~PreviewMaker() { wiring_.source.release(wiring_.view.view); }
 
 void PreviewMaker::want(const PreviewMessage& wish) {
   if (waiting_.size() >= kMostWaiting) {
@@ -46,7 +46,7 @@ void PreviewMaker::want(const PreviewMessage& wish) {
 
 void PreviewMaker::make_next() {
   busy_ = !waiting_.empty();
-  if (!busy_) return ends_.source.release(ends_.view.view);
+  if (!busy_) return wiring_.source.release(wiring_.view.view);
   const PreviewMessage wish = std::move(waiting_.front());
   waiting_.pop_front();
   begin(wish);
@@ -55,13 +55,13 @@ void PreviewMaker::make_next() {
 void PreviewMaker::begin(const PreviewMessage& wish) {
   if (!wish.volume) return render(wish);
   const auto key = cache_key(wish);
-  if (const auto kept = key ? ends_.cache.find(*key) : nullptr) return send(wish, {}, *kept);
+  if (const auto kept = key ? wiring_.cache.find(*key) : nullptr) return send(wish, {}, *kept);
   open(wish);
 }
 
 void PreviewMaker::open(const PreviewMessage& wish) {
-  ticket_ = ends_.volumes.open_for_preview(
-      *wish.volume, tether_.bind<OpenOutcome>(
+  ticket_ = wiring_.volumes.open_for_preview(
+      *wish.volume, callbacks_.bind<OpenOutcome>(
                         [this, wish](OpenOutcome outcome) { opened(wish, std::move(outcome)); }));
 }
 
@@ -76,14 +76,14 @@ void PreviewMaker::opened(const PreviewMessage& wish, OpenOutcome outcome) {
 void PreviewMaker::render(const PreviewMessage& wish) {
   try {
     const SceneSnapshot shown = hooks_.scene(wish, other_.get());
-    ends_.source.submit({.view = ends_.view.view,
-                         .share = ends_.view.share,
-                         .revision = shown.revision,
-                         .scene = shown.scene,
-                         .quality = preview_quality()},
-                        tether_.bind<FrameOutcome>([this, wish, shown](FrameOutcome outcome) {
-                          came_back(wish, shown, std::move(outcome));
-                        }));
+    wiring_.source.submit({.view = wiring_.view.view,
+                           .share = wiring_.view.share,
+                           .revision = shown.revision,
+                           .scene = shown.scene,
+                           .quality = preview_quality()},
+                          callbacks_.bind<FrameOutcome>([this, wish, shown](FrameOutcome outcome) {
+                            came_back(wish, shown, std::move(outcome));
+                          }));
   } catch (const Error& error) {
     fail(wish, error);
   }
@@ -97,14 +97,14 @@ void PreviewMaker::came_back(const PreviewMessage& wish, const SceneSnapshot& sh
     return fail(wish, error != nullptr ? *error : picture_given_up());
   }
   const auto made = std::make_shared<const Frame>(std::move(*frame));
-  if (const auto key = cache_key(wish)) ends_.cache.put(*key, made);
+  if (const auto key = cache_key(wish)) wiring_.cache.put(*key, made);
   send(wish, shown.stamp, *made);
 }
 
 void PreviewMaker::send(const PreviewMessage& wish, const InputStamp& stamp, const Frame& frame) {
   other_.reset();
-  ends_.sink.send_still(preview_message(wish.request, stamp, viewport_of(wish), frame),
-                        tether_.bind<bool>([this](bool) { ended(); }));
+  wiring_.sink.send_still(preview_message(wish.request, stamp, viewport_of(wish), frame),
+                          callbacks_.bind<bool>([this](bool) { ended(); }));
 }
 
 void PreviewMaker::fail(const PreviewMessage& wish, const Error& error) {

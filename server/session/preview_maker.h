@@ -7,9 +7,11 @@
 #include <functional>
 #include <memory>
 
-#include "session/ends.h"
+#include "session/client_sink.h"
 #include "session/frame_flow.h"
+#include "session/frame_source.h"
 #include "session/preview_cache.h"
+#include "session/volume_library.h"
 
 namespace cutaway {
 
@@ -17,7 +19,7 @@ namespace cutaway {
 /// Another volume is open only while its picture is made. Lives on the session's strand.
 class PreviewMaker {
  public:
-  struct Ends {
+  struct Wiring {
     std::shared_ptr<Strand> strand;
     FrameSource& source;
     VolumeLibrary& volumes;
@@ -33,7 +35,7 @@ class PreviewMaker {
     std::function<void(std::uint32_t, const Error&)> failed;
   };
 
-  PreviewMaker(Ends ends, Hooks hooks);
+  PreviewMaker(Wiring wiring, Hooks hooks);
   ~PreviewMaker();
   PreviewMaker(const PreviewMaker&) = delete;
   PreviewMaker& operator=(const PreviewMaker&) = delete;
@@ -52,13 +54,13 @@ class PreviewMaker {
   void fail(const PreviewMessage& wish, const Error& error);
   void ended();
 
-  Ends ends_;
+  Wiring wiring_;
   Hooks hooks_;
   std::deque<PreviewMessage> waiting_;
   bool busy_ = false;
   std::unique_ptr<OpenTicket> ticket_;
   std::shared_ptr<const OpenVolume> other_;  ///< the preview's that is being made
-  Tether tether_;
+  WeakCallbacks callbacks_;
 };
 
 }  // namespace cutaway

@@ -1,7 +1,7 @@
 // Which quality the next frame has, from what the last ones cost.
 #pragma once
 
-#include "session/ends.h"
+#include "session/frame_source.h"
 #include "session/link_estimate.h"
 #include "session/settings.h"
 #include "session/step_control.h"

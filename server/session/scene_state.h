@@ -9,7 +9,7 @@
 
 #include "scene/client_message.h"
 #include "scene/resolve.h"
-#include "session/ends.h"
+#include "session/volume_library.h"
 
 namespace cutaway {
 

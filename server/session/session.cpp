@@ -30,47 +30,47 @@ const Json& for_one_picture(const Json& patch) {
 
 }  // namespace
 
-Session::Session(SessionEnds ends, const SessionSettings& settings)
-    : ends_(std::move(ends)),
+Session::Session(SessionWiring wiring, const SessionSettings& settings)
+    : wiring_(std::move(wiring)),
       settings_(settings),
-      message_rate_(settings.messages_per_second, settings.message_burst, ends_.strand->now()),
-      refusal_rate_(kRefusalsPerSecond, 1.0, ends_.strand->now()),
-      stills_(ends_.strand, ends_.frames, ends_.client, render_view(ends_.still_view),
+      message_rate_(settings.messages_per_second, settings.message_burst, wiring_.strand->now()),
+      refusal_rate_(kRefusalsPerSecond, 1.0, wiring_.strand->now()),
+      stills_(wiring_.strand, wiring_.frames, wiring_.client, render_view(wiring_.still_view),
               [this](std::uint32_t request, const Error& error) {
                 refuse(error, {.input = {}, .request = request});
               }),
-      previews_(preview_ends(ends_.preview_view), preview_hooks()),
-      volume_previews_(preview_ends(ends_.volume_preview_view), preview_hooks()),
-      opening_(ends_.strand, ends_.volumes,
+      previews_(preview_wiring(wiring_.preview_view), preview_hooks()),
+      volume_previews_(preview_wiring(wiring_.volume_preview_view), preview_hooks()),
+      opening_(wiring_.strand, wiring_.volumes,
                {.progress =
                     [this](LoadStage stage, double fraction) {
                       tell(loading_message(pending_->volume, stage, fraction));
                     },
                 .finished = [this](OpenOutcome outcome) { opened(std::move(outcome)); }}),
-      scene_alarm_(ends_.strand->make_alarm([this] { tell_scene(); })),
-      tether_(ends_.strand) {
+      scene_alarm_(wiring_.strand->make_alarm([this] { tell_scene(); })),
+      callbacks_(wiring_.strand) {
   for (std::size_t view = 0; view < flows_.size(); ++view) {
-    const ViewEnds of_view{.source = ends_.frames,
-                           .sink = ends_.client,
-                           .link = link_,
-                           .view = render_view(ends_.live_views[view]),
-                           .kind = static_cast<ViewKind>(view)};
-    flows_[view] = std::make_unique<FrameFlow>(ends_.strand, of_view, settings,
+    const ViewWiring of_view{.source = wiring_.frames,
+                             .sink = wiring_.client,
+                             .link = link_,
+                             .view = render_view(wiring_.live_views[view]),
+                             .kind = static_cast<ViewKind>(view)};
+    flows_[view] = std::make_unique<FrameFlow>(wiring_.strand, of_view, settings,
                                                [this](const Error& error) { refuse(error, {}); });
   }
 }
 
 // The session's share goes by the name of its first view.
 RenderView Session::render_view(std::uint64_t view) const {
-  return {view, ends_.live_views.front()};
+  return {view, wiring_.live_views.front()};
 }
 
-PreviewMaker::Ends Session::preview_ends(std::uint64_t view) const {
-  return {.strand = ends_.strand,
-          .source = ends_.frames,
-          .volumes = ends_.volumes,
-          .sink = ends_.client,
-          .cache = ends_.previews,
+PreviewMaker::Wiring Session::preview_wiring(std::uint64_t view) const {
+  return {.strand = wiring_.strand,
+          .source = wiring_.frames,
+          .volumes = wiring_.volumes,
+          .sink = wiring_.client,
+          .cache = wiring_.previews,
           .view = render_view(view)};
 }
 
@@ -83,20 +83,20 @@ PreviewMaker::Hooks Session::preview_hooks() {
 }
 
 void Session::start() {
-  ends_.client.send_text(*ends_.capabilities);
+  wiring_.client.send_text(*wiring_.capabilities);
   tell_volumes();
-  listing_watch_ = ends_.volumes.watch(
-      [changed = tether_.bind<int>([this](int) { tell_volumes(); })] { changed(0); });
+  listing_watch_ = wiring_.volumes.watch(
+      [changed = callbacks_.bind<int>([this](int) { tell_volumes(); })] { changed(0); });
 }
 
 Session::Reception Session::receive_binary() {
-  if (!message_rate_.take(ends_.strand->now())) return refuse_too_fast();
+  if (!message_rate_.take(wiring_.strand->now())) return refuse_too_fast();
   refuse(binary_message_error(), {});
   return Reception::taken;
 }
 
 Session::Reception Session::receive_too_large(std::size_t bytes, std::size_t most) {
-  if (!message_rate_.take(ends_.strand->now())) return refuse_too_fast();
+  if (!message_rate_.take(wiring_.strand->now())) return refuse_too_fast();
   refuse(Error({.code = "too-large",
                 .message = "the message is too large; it was not heeded",
                 .expected = fmt::format("at most {} bytes", most),
@@ -107,7 +107,7 @@ Session::Reception Session::receive_too_large(std::size_t bytes, std::size_t mos
 
 // Past the rate only acknowledgements are heeded: refusing one would leave its credit out for ever.
 Session::Reception Session::receive_text(std::string_view text) {
-  const bool too_fast = !message_rate_.take(ends_.strand->now());
+  const bool too_fast = !message_rate_.take(wiring_.strand->now());
   if (too_fast && text.size() > kSmallMessageBytes) return refuse_too_fast();
   try {
     const ClientMessage message = parse_client_message(
@@ -130,7 +130,7 @@ Session::Reception Session::receive_text(std::string_view text) {
 // beside the scene, which are made at the server's pace, leave half of the burst: a list of volumes
 // with their pictures must not cost the user the next click.
 void Session::pay_for_lens_searches() {
-  const TimePoint now = ends_.strand->now();
+  const TimePoint now = wiring_.strand->now();
   const double cost = settings_.lens_search_messages;
   message_rate_.charge(now, state_.take_lens_searches() * cost);
   message_rate_.charge_above(now, lenses_of_pictures_.take_searches() * cost,
@@ -138,7 +138,7 @@ void Session::pay_for_lens_searches() {
 }
 
 Session::Reception Session::refuse_too_fast() {
-  if (refusal_rate_.take(ends_.strand->now())) {
+  if (refusal_rate_.take(wiring_.strand->now())) {
     refuse(Error({.code = "rate-limited",
                   .message = "messages come too fast; some were not heeded",
                   .expected = fmt::format("{} a second", settings_.messages_per_second)}),
@@ -162,7 +162,7 @@ void Session::took_effect(SceneState::Change change, InputStamp stamp) {
 // Drags change the scene at the rate of the pointer; the client needs to hear of it at that of the
 // eye.
 void Session::tell_scene_soon() {
-  const TimePoint now = ends_.strand->now();
+  const TimePoint now = wiring_.strand->now();
   if (!scene_told_at_ || now - *scene_told_at_ >= kBetweenScenes) return tell_scene();
   scene_alarm_->set(*scene_told_at_ + std::chrono::ceil<SessionClock::duration>(kBetweenScenes));
 }
@@ -170,22 +170,22 @@ void Session::tell_scene_soon() {
 void Session::tell_scene() {
   if (!state_.scene()) return;
   scene_alarm_->clear();
-  scene_told_at_ = ends_.strand->now();
+  scene_told_at_ = wiring_.strand->now();
   if (told_volume_ == state_.volume()) {
-    return ends_.client.send_latest_text(
+    return wiring_.client.send_latest_text(
         json_text(scene_message(state_.revision(), stamp_.input, *state_.scene())));
   }
   told_volume_ = state_.volume();
   tell(scene_message(state_.revision(), stamp_.input, *state_.scene(), told_volume_->summary()));
 }
 
-void Session::tell_volumes() { tell(volumes_message(ends_.volumes.listing())); }
+void Session::tell_volumes() { tell(volumes_message(wiring_.volumes.listing())); }
 
 void Session::refuse(const Error& error, const MessageEcho& echo) {
   tell(error_message(error, echo));
 }
 
-void Session::tell(const Json& message) { ends_.client.send_text(json_text(message)); }
+void Session::tell(const Json& message) { wiring_.client.send_text(json_text(message)); }
 
 SceneSnapshot Session::preview_of(const PreviewMessage& wish, const OpenVolume* other) {
   const bool is_own = other == nullptr;

@@ -10,19 +10,21 @@
 
 #include "scene/client_message.h"
 #include "scene/server_message.h"
-#include "session/ends.h"
+#include "session/client_sink.h"
 #include "session/frame_flow.h"
+#include "session/frame_source.h"
 #include "session/preview_maker.h"
 #include "session/scene_state.h"
 #include "session/settings.h"
 #include "session/still_saver.h"
 #include "session/token_bucket.h"
+#include "session/volume_library.h"
 #include "session/volume_opening.h"
 
 namespace cutaway {
 
 /// What a session works with. The references outlive it.
-struct SessionEnds {
+struct SessionWiring {
   std::shared_ptr<Strand> strand;
   FrameSource& frames;
   VolumeLibrary& volumes;
@@ -41,7 +43,7 @@ class Session {
  public:
   enum class Reception { taken, too_fast };
 
-  Session(SessionEnds ends, const SessionSettings& settings);
+  Session(SessionWiring wiring, const SessionSettings& settings);
 
   /// Says what the server can do and what there is to see.
   void start();
@@ -82,7 +84,7 @@ class Session {
   void took_effect(SceneState::Change change, InputStamp stamp);
 
   RenderView render_view(std::uint64_t view) const;
-  PreviewMaker::Ends preview_ends(std::uint64_t view) const;
+  PreviewMaker::Wiring preview_wiring(std::uint64_t view) const;
   PreviewMaker::Hooks preview_hooks();
   FrameFlow& flow(ViewKind view) { return *flows_[static_cast<std::size_t>(view)]; }
   const Scene& shown_scene(ViewKind view = ViewKind::volume) const;
@@ -96,7 +98,7 @@ class Session {
   SceneSnapshot still_of(const SaveStillMessage& wish);
   SceneSnapshot preview_of(const PreviewMessage& wish, const OpenVolume* other);
 
-  SessionEnds ends_;
+  SessionWiring wiring_;
   SessionSettings settings_;
   TokenBucket message_rate_;
   TokenBucket refusal_rate_;
@@ -114,7 +116,7 @@ class Session {
   std::shared_ptr<const OpenVolume> told_volume_;
   std::unique_ptr<Alarm> scene_alarm_;
   bool page_visible_ = false;
-  Tether tether_;
+  WeakCallbacks callbacks_;
   std::unique_ptr<OpenTicket> listing_watch_;
 };
 

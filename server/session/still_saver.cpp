@@ -10,7 +10,7 @@ StillSaver::StillSaver(std::shared_ptr<Strand> strand, FrameSource& source, Clie
       sink_(sink),
       view_(view),
       failed_(std::move(failed)),
-      tether_(std::move(strand)) {}
+      callbacks_(std::move(strand)) {}
 
 StillSaver::~StillSaver() { source_.release(view_.view); }
 
@@ -37,8 +37,8 @@ void StillSaver::make_next() {
                         .revision = next.shown.revision,
                         .scene = next.shown.scene,
                         .quality = next.quality},
-                       tether_.bind<StillOutcome>([this, request = next.request,
-                                                   shown = next.shown](StillOutcome outcome) {
+                       callbacks_.bind<StillOutcome>([this, request = next.request,
+                                                      shown = next.shown](StillOutcome outcome) {
                          came_back(request, shown, std::move(outcome));
                        }));
 }
@@ -49,7 +49,7 @@ void StillSaver::came_back(std::uint32_t request, const SceneSnapshot& shown,
   if (const auto* still = std::get_if<SavedStill>(&outcome)) {
     stage_ = Stage::writing;
     sink_.send_still(saved_still_message(request, shown.stamp, shown.scene->viewport, *still),
-                     tether_.bind<bool>([this](bool) { make_next(); }));
+                     callbacks_.bind<bool>([this](bool) { make_next(); }));
     return;
   }
   const auto* error = std::get_if<Error>(&outcome);

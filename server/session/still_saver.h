@@ -7,8 +7,9 @@
 #include <functional>
 #include <memory>
 
-#include "session/ends.h"
+#include "session/client_sink.h"
 #include "session/frame_flow.h"
+#include "session/frame_source.h"
 
 namespace cutaway {
 
@@ -50,7 +51,7 @@ class StillSaver {
   std::function<void(std::uint32_t, const Error&)> failed_;
   Stage stage_ = Stage::idle;
   std::deque<Waiting> waiting_;
-  Tether tether_;
+  WeakCallbacks callbacks_;
 };
 
 }  // namespace cutaway

@@ -17,18 +17,18 @@ VolumeOpening::VolumeOpening(std::shared_ptr<Strand> strand, VolumeLibrary& libr
     : strand_(std::move(strand)),
       library_(library),
       reports_(std::move(reports)),
-      tether_(strand_) {}
+      callbacks_(strand_) {}
 
 void VolumeOpening::begin(const std::string& id) {
   withdraw();
   volume_ = id;
-  ticket_ = library_.open(id, relay(), tether_.bind<OpenOutcome>([this](OpenOutcome outcome) {
+  ticket_ = library_.open(id, relay(), callbacks_.bind<OpenOutcome>([this](OpenOutcome outcome) {
     finish(std::move(outcome));
   }));
 }
 
 void VolumeOpening::withdraw() {
-  tether_.cut();
+  callbacks_.revoke();
   ticket_.reset();
   volume_.reset();
   reported_.reset();
@@ -37,7 +37,7 @@ void VolumeOpening::withdraw() {
 // The loading thread may report thousands of times; only the newest waits for the strand.
 ProgressSink VolumeOpening::relay() {
   auto newest = std::make_shared<LatestSlot<Step>>();
-  auto hear = tether_.bind<std::shared_ptr<LatestSlot<Step>>>(
+  auto hear = callbacks_.bind<std::shared_ptr<LatestSlot<Step>>>(
       [this](const std::shared_ptr<LatestSlot<Step>>& slot) {
         if (const std::optional<Step> step = slot->take()) progressed(*step);
       });

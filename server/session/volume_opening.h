@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "session/ends.h"
-#include "session/tether.h"
+#include "session/volume_library.h"
+#include "session/weak_callbacks.h"
 
 namespace cutaway {
 
@@ -41,7 +41,7 @@ class VolumeOpening {
   std::shared_ptr<Strand> strand_;
   VolumeLibrary& library_;
   Reports reports_;
-  Tether tether_;
+  WeakCallbacks callbacks_;
   std::optional<std::string> volume_;
   std::optional<Step> reported_;
   std::unique_ptr<OpenTicket> ticket_;

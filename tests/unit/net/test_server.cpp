@@ -169,17 +169,17 @@ Server::Hooks TestServer::hooks(const SessionSettings& session) {
             if (refuse_sessions) throw std::bad_alloc();
             const std::uint64_t view = next_view_.fetch_add(7);
             return std::make_unique<Session>(
-                SessionEnds{.strand = std::move(strand),
-                            .frames = frames,
-                            .volumes = library,
-                            .client = client,
-                            .live_views = {view, view + 1, view + 2, view + 3},
-                            .still_view = view + 4,
-                            .preview_view = view + 5,
-                            .volume_preview_view = view + 6,
-                            .previews = previews,
-                            .capabilities =
-                                std::make_shared<const std::string>(R"({"type":"capabilities"})")},
+                SessionWiring{.strand = std::move(strand),
+                              .frames = frames,
+                              .volumes = library,
+                              .client = client,
+                              .live_views = {view, view + 1, view + 2, view + 3},
+                              .still_view = view + 4,
+                              .preview_view = view + 5,
+                              .volume_preview_view = view + 6,
+                              .previews = previews,
+                              .capabilities = std::make_shared<const std::string>(
+                                  R"({"type":"capabilities"})")},
                 session);
           }};
 }

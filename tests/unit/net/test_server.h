@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "net/server.h"
-#include "unit/session/fake_ends.h"
+#include "unit/session/fakes.h"
 
 namespace cutaway::testing {
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/session/fake_ends.h"
 #include "unit/session/fake_strand.h"
+#include "unit/session/fakes.h"
 
 namespace cutaway {
 namespace {
@@ -40,7 +40,7 @@ class FrameFlowTest : public ::testing::Test {
   std::vector<Error> errors;
   SessionSettings settings;
   std::unique_ptr<FrameFlow> flow =
-      std::make_unique<FrameFlow>(strand, ViewEnds{frames, client, link, {kView}}, settings,
+      std::make_unique<FrameFlow>(strand, ViewWiring{frames, client, link, {kView}}, settings,
                                   [this](const Error& error) { errors.push_back(error); });
 };
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/session/fake_ends.h"
+#include "unit/session/fakes.h"
 
 namespace cutaway {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "session/session.h"
-#include "unit/session/fake_ends.h"
 #include "unit/session/fake_strand.h"
+#include "unit/session/fakes.h"
 
 namespace cutaway::testing {
 
@@ -21,17 +21,17 @@ class SessionFixture : public ::testing::Test {
     session = nullptr;
     client = {};
     session = std::make_unique<Session>(
-        SessionEnds{.strand = strand,
-                    .frames = frames,
-                    .volumes = library,
-                    .client = client,
-                    .live_views = {1, 4, 5, 6},
-                    .still_view = 2,
-                    .preview_view = 3,
-                    .volume_preview_view = 7,
-                    .previews = previews,
-                    .capabilities = std::make_shared<const std::string>(
-                        R"({"type":"capabilities","protocol":"cutaway.v1"})")},
+        SessionWiring{.strand = strand,
+                      .frames = frames,
+                      .volumes = library,
+                      .client = client,
+                      .live_views = {1, 4, 5, 6},
+                      .still_view = 2,
+                      .preview_view = 3,
+                      .volume_preview_view = 7,
+                      .previews = previews,
+                      .capabilities = std::make_shared<const std::string>(
+                          R"({"type":"capabilities","protocol":"cutaway.v1"})")},
         settings);
     session->start();
   }

@@ -11,7 +11,9 @@
 
 #include "core/check.h"
 #include "scene/frame_header.h"
-#include "session/ends.h"
+#include "session/client_sink.h"
+#include "session/frame_source.h"
+#include "session/volume_library.h"
 
 namespace cutaway::testing {
 

@@ -1,4 +1,4 @@
-#include "render/view_shelf.h"
+#include "render/view_cache.h"
 
 #include <algorithm>
 #include <numeric>
@@ -7,7 +7,7 @@
 
 namespace cutaway {
 
-ViewState& ViewShelf::pin(std::uint64_t view) {
+ViewState& ViewCache::pin(std::uint64_t view) {
   Entry& entry = views_[view];
   check(!entry.pinned, "a view is drawn by one plan at a time");
   entry.pinned = true;
@@ -16,21 +16,21 @@ ViewState& ViewShelf::pin(std::uint64_t view) {
   return entry.state;
 }
 
-void ViewShelf::unpin(std::uint64_t view) {
+void ViewCache::unpin(std::uint64_t view) {
   const auto entry = views_.find(view);
   check(entry != views_.end() && entry->second.pinned, "a view was pinned before");
   entry->second.pinned = false;
   if (entry->second.dropped) views_.erase(entry);
 }
 
-void ViewShelf::drop(std::uint64_t view) {
+void ViewCache::drop(std::uint64_t view) {
   const auto entry = views_.find(view);
   if (entry == views_.end()) return;
   entry->second.dropped = true;
   if (!entry->second.pinned) views_.erase(entry);
 }
 
-void ViewShelf::keep_within_limit() {
+void ViewCache::keep_within_limit() {
   while (used_bytes() > bytes_) {
     auto oldest = views_.end();
     for (auto entry = views_.begin(); entry != views_.end(); ++entry) {
@@ -42,20 +42,20 @@ void ViewShelf::keep_within_limit() {
   }
 }
 
-void ViewShelf::drop_idle(Clock::duration age) {
+void ViewCache::drop_idle(Clock::duration age) {
   const auto before = Clock::now() - age;
   std::erase_if(views_,
                 [&](const auto& view) { return !view.second.pinned && view.second.used < before; });
 }
 
 // The other half is for the one that comes, which may be larger than any so far.
-bool ViewShelf::has_room() const {
+bool ViewCache::has_room() const {
   std::uint64_t pinned = 0;
   for (const auto& [view, entry] : views_) pinned += entry.pinned ? entry.state.bytes() : 0;
   return pinned <= bytes_ / 2;
 }
 
-std::uint64_t ViewShelf::used_bytes() const {
+std::uint64_t ViewCache::used_bytes() const {
   return std::accumulate(
       views_.begin(), views_.end(), std::uint64_t{0},
       [](std::uint64_t sum, const auto& view) { return sum + view.second.state.bytes(); });

@@ -1,4 +1,4 @@
-// Callbacks that come back from other threads to an object that may be gone by then.
+// Weak callbacks: they come from other threads to an object that may be gone by then.
 #pragma once
 
 #include <functional>
@@ -10,14 +10,14 @@
 namespace cutaway {
 
 /// Belongs to an object that lives on a strand and is destroyed there. What it binds may be called
-/// from any thread and at any time: it runs on the strand, and no more once the tether is gone or
-/// cut.
-class Tether {
+/// from any thread and at any time: it runs on the strand, and no more once this object is gone or
+/// has revoked it.
+class WeakCallbacks {
  public:
-  explicit Tether(std::shared_ptr<Strand> strand) : strand_(std::move(strand)) {}
+  explicit WeakCallbacks(std::shared_ptr<Strand> strand) : strand_(std::move(strand)) {}
 
   /// Nothing bound so far runs from now on.
-  void cut() { life_ = std::make_shared<char>(); }
+  void revoke() { life_ = std::make_shared<char>(); }
 
   template <typename Argument>
   std::function<void(Argument)> bind(std::function<void(Argument)> work) const {

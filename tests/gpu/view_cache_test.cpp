@@ -1,5 +1,5 @@
 // What is kept for views: within its limit, and never what is being drawn.
-#include "render/view_shelf.h"
+#include "render/view_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 namespace cutaway::test {
 namespace {
 
-class Shelf : public testing::Test {
+class ViewCacheTest : public testing::Test {
  protected:
-  Shelf()
+  ViewCacheTest()
       : gpu_(GpuHarness::instance()),
         volume_(load(shells_volume(centred_geometry(32)))),
         gpu_volume_(volume_, 2048),
@@ -23,10 +23,10 @@ class Shelf : public testing::Test {
     return gpu_.pipeline().plan(view, scene_, gpu_volume_, settings_for(scene_));
   }
 
-  void draw(ViewShelf& shelf, std::uint64_t view) {
-    plan(shelf.pin(view)).finish();
-    shelf.keep_within_limit();
-    shelf.unpin(view);
+  void draw(ViewCache& cache, std::uint64_t view) {
+    plan(cache.pin(view)).finish();
+    cache.keep_within_limit();
+    cache.unpin(view);
   }
 
   std::uint64_t bytes_of_one() {
@@ -41,55 +41,55 @@ class Shelf : public testing::Test {
   Scene scene_;
 };
 
-TEST_F(Shelf, KeepsTheViewsThatWereDrawnLastWithinItsLimit) {
+TEST_F(ViewCacheTest, KeepsTheViewsThatWereDrawnLastWithinItsLimit) {
   const std::uint64_t one = bytes_of_one();
   EXPECT_GT(one, 100U * 80U * 32U);  // two surfaces at least
-  ViewShelf shelf(3 * one);
+  ViewCache cache(3 * one);
   for (std::uint64_t view = 0; view < 10; ++view) {
-    draw(shelf, view);
-    EXPECT_LE(shelf.used_bytes(), 3 * one);
+    draw(cache, view);
+    EXPECT_LE(cache.used_bytes(), 3 * one);
   }
-  const std::uint64_t casts = shelf.pin(9).counts().ray_cast;
+  const std::uint64_t casts = cache.pin(9).counts().ray_cast;
   EXPECT_EQ(casts, 1U);
-  shelf.unpin(9);
-  EXPECT_EQ(shelf.pin(0).counts().ray_cast, 0U);  // drawn anew
+  cache.unpin(9);
+  EXPECT_EQ(cache.pin(0).counts().ray_cast, 0U);  // drawn anew
 }
 
-TEST_F(Shelf, HasRoomWhileWhatIsBeingDrawnTakesLessThanHalf) {
-  ViewShelf shelf(4 * bytes_of_one());
+TEST_F(ViewCacheTest, HasRoomWhileWhatIsBeingDrawnTakesLessThanHalf) {
+  ViewCache cache(4 * bytes_of_one());
   for (std::uint64_t view = 0; view < 3; ++view) {
-    EXPECT_TRUE(shelf.has_room());
-    plan(shelf.pin(view)).finish();
+    EXPECT_TRUE(cache.has_room());
+    plan(cache.pin(view)).finish();
   }
-  EXPECT_FALSE(shelf.has_room());
-  shelf.unpin(0);
-  EXPECT_TRUE(shelf.has_room());
+  EXPECT_FALSE(cache.has_room());
+  cache.unpin(0);
+  EXPECT_TRUE(cache.has_room());
 }
 
-TEST_F(Shelf, TakesNothingAwayThatIsBeingDrawn) {
-  ViewShelf shelf(1);
-  ViewState& view = shelf.pin(1);
+TEST_F(ViewCacheTest, TakesNothingAwayThatIsBeingDrawn) {
+  ViewCache cache(1);
+  ViewState& view = cache.pin(1);
   FramePlan frame = plan(view);
   frame.advance(1000);
-  draw(shelf, 2);
-  shelf.drop(1);
+  draw(cache, 2);
+  cache.drop(1);
   frame.finish();
   EXPECT_EQ(view.counts().composite, 1U);
-  shelf.unpin(1);
-  shelf.keep_within_limit();
-  EXPECT_EQ(shelf.used_bytes(), 0U);
+  cache.unpin(1);
+  cache.keep_within_limit();
+  EXPECT_EQ(cache.used_bytes(), 0U);
 }
 
-TEST_F(Shelf, LetsGoOfIdleViews) {
-  ViewShelf shelf(std::uint64_t{1} << 40);
-  draw(shelf, 1);
-  shelf.drop_idle(std::chrono::hours(1));
-  EXPECT_GT(shelf.used_bytes(), 0U);
-  shelf.drop_idle(std::chrono::seconds(-1));
-  EXPECT_EQ(shelf.used_bytes(), 0U);
+TEST_F(ViewCacheTest, LetsGoOfIdleViews) {
+  ViewCache cache(std::uint64_t{1} << 40);
+  draw(cache, 1);
+  cache.drop_idle(std::chrono::hours(1));
+  EXPECT_GT(cache.used_bytes(), 0U);
+  cache.drop_idle(std::chrono::seconds(-1));
+  EXPECT_EQ(cache.used_bytes(), 0U);
 }
 
-TEST_F(Shelf, AFrameDrawnInStripsBetweenOthersIsTheFrameDrawnAtOnce) {
+TEST_F(ViewCacheTest, AFrameDrawnInStripsBetweenOthersIsTheFrameDrawnAtOnce) {
   const BytePicture whole = gpu_.render(scene_, volume_, settings_for(scene_));
   const Scene other = scene_for({{"camera", {{"eye_mm", {200, 0, 30}}}}}, volume_, {50, 40});
   ViewState view;
@@ -107,7 +107,7 @@ TEST_F(Shelf, AFrameDrawnInStripsBetweenOthersIsTheFrameDrawnAtOnce) {
   EXPECT_EQ(readback.finish().at(0), PixelPlane(whole.size_px, 4, whole.rgba));
 }
 
-TEST_F(Shelf, APlanThatWasGivenUpLeavesNothingThatPassesForDone) {
+TEST_F(ViewCacheTest, APlanThatWasGivenUpLeavesNothingThatPassesForDone) {
   const BytePicture whole = gpu_.render(scene_, volume_, settings_for(scene_));
   ViewState view;
   plan(view).advance(2000);

@@ -1,4 +1,4 @@
-#include "unit/session/fake_ends.h"
+#include "unit/session/fakes.h"
 
 #include <cmath>
 

@@ -12,11 +12,11 @@ namespace cutaway {
 /// Render thread only. Buffers can always be drawn again: those of views that have not been drawn
 /// for longest go first where all of them are more than the limit, and those of idle views after a
 /// while.
-class ViewShelf {
+class ViewCache {
  public:
   using Clock = std::chrono::steady_clock;
 
-  explicit ViewShelf(std::uint64_t bytes) : bytes_(bytes) {}
+  explicit ViewCache(std::uint64_t bytes) : bytes_(bytes) {}
 
   /// The view's state, which stays until unpin.
   ViewState& pin(std::uint64_t view);
