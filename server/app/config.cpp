@@ -74,7 +74,7 @@ std::string table_names() {
 void ConfigFile::read(Config& config) const {
   std::ifstream stream(file_);
   if (!stream) {
-    throw Error({.code = "internal",
+    throw Error({.code = ErrorCode::internal,
                  .message = "the configuration cannot be read",
                  .field = file_.string(),
                  .expected = "a TOML file"});
@@ -83,7 +83,7 @@ void ConfigFile::read(Config& config) const {
     const toml::table document = toml::parse(stream, file_.string());
     for (const auto& [name, node] : document) read_table(name.str(), node, config);
   } catch (const toml::parse_error& error) {
-    throw Error({.code = "wrong-type",
+    throw Error({.code = ErrorCode::wrong_type,
                  .message = "the configuration is not TOML: " + std::string(error.description()),
                  .field = where(error.source())});
   }
@@ -92,7 +92,7 @@ void ConfigFile::read(Config& config) const {
 void ConfigFile::read_table(std::string_view table, const toml::node& node, Config& config) const {
   const std::string known = names_in(table);
   if (known.empty() || !node.is_table()) {
-    refuse(node, {.code = "unknown-field",
+    refuse(node, {.code = ErrorCode::unknown_field,
                   .message = "unknown table or key '" + std::string(table) + "'",
                   .expected = "tables " + table_names()});
   }
@@ -102,7 +102,7 @@ void ConfigFile::read_table(std::string_view table, const toml::node& node, Conf
       return each.table == table && each.name == wanted;
     });
     if (key == config_keys().end()) {
-      refuse(value, {.code = "unknown-field",
+      refuse(value, {.code = ErrorCode::unknown_field,
                      .message = "unknown key '" + std::string(wanted) + "' in [" +
                                 std::string(table) + "]",
                      .expected = known});
@@ -126,7 +126,7 @@ template <typename T>
 T ConfigFile::value(const toml::node& node, const char* expected) const {
   const std::optional<T> found = node.value_exact<T>();
   if (found) return *found;
-  refuse(node, {.code = "wrong-type",
+  refuse(node, {.code = ErrorCode::wrong_type,
                 .message = "a value of another type is needed",
                 .expected = expected,
                 .received = text_of(node)});
@@ -135,7 +135,7 @@ T ConfigFile::value(const toml::node& node, const char* expected) const {
 void ConfigFile::set(const IntegerKey& kind, const toml::node& node, Config& config) const {
   const auto number = value<std::int64_t>(node, "an integer");
   if (number < kind.minimum || number > kind.maximum) {
-    refuse(node, {.code = "out-of-range",
+    refuse(node, {.code = ErrorCode::out_of_range,
                   .message = "the value is out of its range",
                   .expected = std::to_string(kind.minimum) + " to " + std::to_string(kind.maximum),
                   .received = std::to_string(number)});
@@ -150,7 +150,7 @@ void ConfigFile::set(const NumberKey& kind, const toml::node& node, Config& conf
   if (!(number >= kind.minimum && number <= kind.maximum)) {
     std::ostringstream range;
     range << kind.minimum << " to " << kind.maximum;
-    refuse(node, {.code = "out-of-range",
+    refuse(node, {.code = ErrorCode::out_of_range,
                   .message = "the value is out of its range",
                   .expected = range.str(),
                   .received = text_of(node)});
@@ -183,7 +183,7 @@ void ConfigFile::set(const PathListKey& kind, const toml::node& node, Config& co
 std::vector<std::string> ConfigFile::texts(const toml::node& node) const {
   const toml::array* list = node.as_array();
   if (list == nullptr) {
-    refuse(node, {.code = "wrong-type",
+    refuse(node, {.code = ErrorCode::wrong_type,
                   .message = "a value of another type is needed",
                   .expected = "a list of texts",
                   .received = text_of(node)});
@@ -207,7 +207,7 @@ void ConfigFile::refuse(const toml::node& node, Error::Detail detail) const {
 }
 
 Error bad_listen(const std::string& text) {
-  return Error({.code = "out-of-range",
+  return Error({.code = ErrorCode::out_of_range,
                 .message = "this is no address to listen on",
                 .expected = "ADDRESS:PORT, as 127.0.0.1:8080 or [::1]:8080",
                 .received = text});

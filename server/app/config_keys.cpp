@@ -38,7 +38,7 @@ Kind plain(Field field) {
 void set_log_level(Config& config, const std::string& level) {
   constexpr std::array kLevels = {"trace", "debug", "info", "warning", "error", "off"};
   if (std::ranges::find(kLevels, level) == kLevels.end()) {
-    throw Error({.code = "out-of-range",
+    throw Error({.code = ErrorCode::out_of_range,
                  .message = "there is no such log level",
                  .expected = "trace, debug, info, warning, error or off",
                  .received = level});
@@ -50,7 +50,7 @@ void set_hosts(Config& config, const std::vector<std::string>& hosts) {
   for (const std::string& host : hosts) {
     const bool has_port = !host.starts_with('[') && host.find(':') != std::string::npos;
     if (!host.empty() && !has_port && !host.ends_with(':') && is_host_and_port(host)) continue;
-    throw Error({.code = "wrong-type",
+    throw Error({.code = ErrorCode::wrong_type,
                  .message = "this is no host",
                  .expected = "a name or an address, without a scheme and a port",
                  .received = host});

@@ -121,7 +121,7 @@ Report examine(const std::string& path, const InfoReaders& readers) {
     return {{facts_of(make_phantom(*phantom, {}, {}))}, {}};
   }
   if (!readers.scan) {
-    throw Error({.code = "volume-refused",
+    throw Error({.code = ErrorCode::volume_refused,
                  .message = "this build reads no files",
                  .field = path,
                  .expected = "phantom:head, phantom:abdomen or phantom:knees"});

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Error unwritable(const fs::path& file, const std::string& why) {
-  return Error({.code = "internal",
+  return Error({.code = ErrorCode::internal,
                 .message = "the picture cannot be written",
                 .field = file.string(),
                 .expected = "a file in a folder that can be written to",

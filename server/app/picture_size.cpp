@@ -13,7 +13,7 @@ namespace cutaway {
 namespace {
 
 Error no_such_size(const std::string& received) {
-  return Error({.code = "out-of-range",
+  return Error({.code = ErrorCode::out_of_range,
                 .message = "there is no picture of this size",
                 .expected = fmt::format("1x1 to {0}x{0} px", kLargestSide_px),
                 .received = received});

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 
 Error unreadable() {
-  return Error({.code = "invalid-scene",
+  return Error({.code = ErrorCode::invalid_scene,
                 .message = "the scene cannot be read",
                 .expected = "a file with a scene or style document (JSON)"});
 }
@@ -32,7 +32,7 @@ std::string read_text(const fs::path& file) {
   if (stream.bad()) throw unreadable();
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > kMostBytes) {
-    throw Error({.code = "too-large",
+    throw Error({.code = ErrorCode::too_large,
                  .message = "the scene's file is too large",
                  .expected = "at most " + std::to_string(kMostBytes) + " bytes"});
   }

@@ -99,7 +99,7 @@ VolumeSettings with_reader(VolumeSettings settings) {
 void check_data(const std::vector<fs::path>& data) {
   for (const fs::path& path : data) {
     if (fs::exists(path)) continue;
-    throw Error({.code = "unknown-volume",
+    throw Error({.code = ErrorCode::unknown_volume,
                  .message = "there is no such data folder",
                  .field = path.string(),
                  .expected = "a folder or file with volumes"});

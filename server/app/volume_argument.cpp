@@ -22,9 +22,10 @@ std::string ids_of(const Listing& listing) {
 [[noreturn]] void refuse(const std::string& path, const Listing& listing) {
   if (listing.volumes.empty() && !listing.refused.empty()) {
     const RefusedFile& first = listing.refused.front();
-    throw Error({.code = "volume-refused", .message = first.reason, .field = first.path.string()});
+    throw Error(
+        {.code = ErrorCode::volume_refused, .message = first.reason, .field = first.path.string()});
   }
-  throw Error({.code = "unknown-volume",
+  throw Error({.code = ErrorCode::unknown_volume,
                .message = "no single volume is named",
                .field = path,
                .expected = listing.volumes.empty()
@@ -59,7 +60,7 @@ Volume read_path(const std::string& argument, const ProgressSink& progress) {
 }
 #else
 Volume read_path(const std::string& argument, const ProgressSink&) {
-  throw Error({.code = "unknown-volume",
+  throw Error({.code = ErrorCode::unknown_volume,
                .message = "this build reads no files",
                .field = argument,
                .expected = "a phantom: phantom:head, phantom:abdomen or phantom:knees"});

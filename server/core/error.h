@@ -4,17 +4,18 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/error_code.h"
+
 namespace cutaway {
 
 /// Bad data or a bad request; our own bugs are `check` failures instead (check.h).
-/// `code` is one of the codes in protocol/schema/error.schema.json, in kebab-case. `field` is a
-/// JSON pointer
-/// ("/lens/radius_mm") or a file's path; `expected` states the limit and its unit; `received` what
-/// came. Empty strings mean "does not apply". Immutable, so it may cross threads.
+/// `field` is a JSON pointer ("/lens/radius_mm") or a file's path; `expected` states the limit and
+/// its unit; `received` what came. Empty strings mean "does not apply". Immutable, so it may cross
+/// threads.
 class Error : public std::runtime_error {
  public:
   struct Detail {
-    std::string code;
+    ErrorCode code = ErrorCode::internal;
     std::string message;
     std::string field = {};
     std::string expected = {};

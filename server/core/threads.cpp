@@ -22,7 +22,7 @@ std::string threads_of_user() {
 }
 
 Error no_more_threads(const std::system_error& refusal) {
-  return Error({.code = "internal",
+  return Error({.code = ErrorCode::internal,
                 .message = "no more threads can be started",
                 .field = {},
                 .expected = "a larger limit of processes for this user (ulimit -u, now " +

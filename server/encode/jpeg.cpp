@@ -24,8 +24,8 @@ void* thread_compressor() {
 }
 
 Error refused() {
-  return Error(
-      {.code = "internal", .message = std::string("JPEG: ") + tjGetErrorStr2(thread_compressor())});
+  return Error({.code = ErrorCode::internal,
+                .message = std::string("JPEG: ") + tjGetErrorStr2(thread_compressor())});
 }
 
 std::vector<std::uint8_t> room_for(glm::ivec2 size_px, int sampling) {
@@ -39,7 +39,8 @@ std::vector<std::uint8_t> room_for(glm::ivec2 size_px, int sampling) {
 
 JpegPicture encode_jpeg(const Picture& picture, int quality) {
   if (picture.layout() == PixelLayout::rgba)
-    throw Error({.code = "internal", .message = "JPEG: it is made from YCbCr and not from RGBA"});
+    throw Error(
+        {.code = ErrorCode::internal, .message = "JPEG: it is made from YCbCr and not from RGBA"});
   const glm::ivec2 size_px = picture.size_px();
   const int sampling = picture.layout() == PixelLayout::yuv420 ? TJSAMP_420 : TJSAMP_444;
   JpegPicture jpeg{size_px, room_for(size_px, sampling)};

@@ -25,7 +25,8 @@ std::vector<std::uint8_t> without_alpha(const PixelPlane& rgba) {
 
 PngPicture encode_png(const Picture& picture) {
   if (picture.layout() != PixelLayout::rgba)
-    throw Error({.code = "internal", .message = "PNG: it is made from RGBA and not from YCbCr"});
+    throw Error(
+        {.code = ErrorCode::internal, .message = "PNG: it is made from RGBA and not from YCbCr"});
   const std::vector<std::uint8_t> rgb =
       picture.planes().empty() ? std::vector<std::uint8_t>() : without_alpha(picture.plane(0));
   png_image image{};
@@ -36,7 +37,7 @@ PngPicture encode_png(const Picture& picture) {
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   PngPicture png{picture.size_px(), std::vector<std::uint8_t>(size)};
   if (png_image_write_to_memory(&image, png.bytes.data(), &size, 0, rgb.data(), 0, nullptr) == 0) {
-    throw Error({.code = "internal", .message = std::string("PNG: ") + image.message});
+    throw Error({.code = ErrorCode::internal, .message = std::string("PNG: ") + image.message});
   }
   png.bytes.resize(size);
   return png;

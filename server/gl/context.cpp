@@ -6,8 +6,8 @@
 #include <array>
 #include <thread>
 
-#include "core/error.h"
 #include "core/log.h"
+#include "core/start_up_error.h"
 #include "core/threads.h"
 #include "gl/context_display.h"
 #include "gl/debug_output.h"
@@ -110,11 +110,11 @@ std::unique_ptr<Context> Context::create(const ContextOptions& options) {
                 context->version());
     return context;
   }
-  throw Error({.code = "renderer-unavailable",
-               .message = options.require_gpu ? "no GPU renders OpenGL here"
-                                              : "nothing renders OpenGL here",
-               .expected = "an EGL device with OpenGL 4.5 core",
-               .received = tried.empty() ? "no EGL device" : tried.substr(1)});
+  const std::string what =
+      options.require_gpu ? "no GPU renders OpenGL here" : "nothing renders OpenGL here";
+  throw StartUpError(StartUpError::Fault::renderer_unavailable,
+                     what + "; expected an EGL device with OpenGL 4.5 core; got " +
+                         (tried.empty() ? "no EGL device" : tried.substr(1)));
 }
 
 }  // namespace cutaway::gl

@@ -18,7 +18,7 @@ struct ContextOptions {
 /// surfaceless platform comes last.
 class Context {
  public:
-  /// Throws Error "renderer-unavailable" saying what each device answered.
+  /// Throws StartUpError (renderer_unavailable) saying what each device answered.
   static std::unique_ptr<Context> create(const ContextOptions& options);
 
   ~Context();

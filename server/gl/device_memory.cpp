@@ -15,7 +15,7 @@ void throw_if_out_of_memory(const char* what) {
 }
 
 void throw_out_of_memory(const char* what) {
-  throw Error({.code = "render-failed",
+  throw Error({.code = ErrorCode::render_failed,
                .message = "the graphics device has no memory left for " + std::string(what),
                .expected = "a smaller picture or volume, or fewer of them"});
 }

@@ -3,14 +3,14 @@
 #include <regex>
 #include <vector>
 
-#include "core/error.h"
+#include "core/start_up_error.h"
 
 namespace cutaway::gl {
 
 namespace {
 
 [[noreturn]] void throw_shader_error(std::string_view name, const std::string& words) {
-  throw Error({.code = "shader-error", .message = words, .field = std::string(name)});
+  throw StartUpError(StartUpError::Fault::shader_error, words + " (" + std::string(name) + ")");
 }
 
 std::string shader_log(GLuint shader) {

@@ -16,7 +16,7 @@ namespace cutaway::gl {
 /// debug context setting one that neither shader mentions throws Error "shader-error".
 class Program {
  public:
-  /// Throws Error "shader-error" with file and line.
+  /// Throws StartUpError (shader_error) with file and line.
   Program(const ShaderLibrary& library, std::string_view vertex, std::string_view fragment,
           const std::map<std::string, std::string>& definitions = {});
 

@@ -29,7 +29,7 @@ class Expansion {
     if (std::ranges::find(names_, name) != names_.end()) return;
     const auto found = files_.find(name);
     if (found == files_.end()) {
-      throw Error({.code = "internal",
+      throw Error({.code = ErrorCode::internal,
                    .message = "unknown shader file",
                    .field = included_from,
                    .expected = "the name of an embedded shader",

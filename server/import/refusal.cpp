@@ -25,7 +25,7 @@ bool continues_character(char byte) { return (static_cast<unsigned char>(byte) &
 
 void refuse(const std::filesystem::path& file, std::string message, std::string expected,
             std::string received) {
-  throw Error({.code = "volume-refused",
+  throw Error({.code = ErrorCode::volume_refused,
                .message = std::move(message),
                .field = file.string(),
                .expected = std::move(expected),
@@ -58,7 +58,7 @@ std::uint64_t checked_voxel_count(const std::filesystem::path& file,
   }
   if (bytes > static_cast<double>(limits.volume_bytes)) {
     throw Error(
-        {.code = "too-large",
+        {.code = ErrorCode::too_large,
          .message = "the volume is too large",
          .field = file.string(),
          .expected = "at most " + bytes_in_words(static_cast<double>(limits.volume_bytes)),

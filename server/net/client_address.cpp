@@ -47,7 +47,7 @@ std::optional<ip::address> forwarded_address(std::string_view entry) {
 }
 
 Error no_proxy(const std::string& entry) {
-  return Error({.code = "wrong-type",
+  return Error({.code = ErrorCode::wrong_type,
                 .message = "this is no address of a proxy",
                 .expected = "an IP address or a network such as 10.0.0.0/8",
                 .received = entry});

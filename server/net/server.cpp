@@ -28,7 +28,7 @@ constexpr std::chrono::milliseconds kPauseAfterFailedAccept{100};
 constexpr std::chrono::seconds kBetweenOrders{1};
 
 Error cannot_listen(const NetSettings& settings, const std::string& why) {
-  return Error({.code = "internal",
+  return Error({.code = ErrorCode::internal,
                 .message = "cannot listen: " + why,
                 .field = settings.address + ":" + std::to_string(settings.port),
                 .expected = "a free port on an address of this machine"});

@@ -52,7 +52,7 @@ std::string etag_of(std::string_view content) {
 
 std::string read_whole(const fs::path& path) {
   if (fs::file_size(path) > kLargestFile) {
-    throw Error({.code = "too-large",
+    throw Error({.code = ErrorCode::too_large,
                  .message = "a file of the web client is too large",
                  .field = path.string(),
                  .expected = std::to_string(kLargestFile) + " bytes at most",
@@ -83,7 +83,7 @@ StaticFile read_file(const fs::path& path, const std::string& url) {
 
 StaticFiles::StaticFiles(const fs::path& root) {
   if (!fs::is_directory(root)) {
-    throw Error({.code = "out-of-range",
+    throw Error({.code = ErrorCode::out_of_range,
                  .message = "the web client's folder cannot be read",
                  .field = root.string(),
                  .expected = "a folder with index.html"});

@@ -144,8 +144,9 @@ void WebSocket::give_way(Admission::Why why) {
   const bool was_queued = why == Admission::Why::queue_full;
   const std::uint16_t code =
       was_queued ? std::uint16_t{websocket::close_code::try_again_later} : kGaveWay;
-  end_with(Error({.code = was_queued ? "server-full" : "gave-way", .message = words}),
-           {static_cast<websocket::close_code>(code), words});
+  end_with(
+      Error({.code = was_queued ? ErrorCode::server_full : ErrorCode::gave_way, .message = words}),
+      {static_cast<websocket::close_code>(code), words});
 }
 
 asio::awaitable<void> WebSocket::serve_accepted() {
@@ -182,7 +183,7 @@ void WebSocket::turn_away(Admission::Refusal refusal, DropLog& drops) {
   const bool is_full = refusal == Admission::Refusal::full;
   const std::string reason = is_full ? server_full(settings_) : address_full(settings_);
   drops.note("clients were turned away, " + reason, peer_.address.text);
-  end_with(Error({.code = "server-full", .message = reason}),
+  end_with(Error({.code = ErrorCode::server_full, .message = reason}),
            {websocket::close_code::try_again_later, reason});
 }
 

@@ -25,7 +25,7 @@ std::shared_ptr<GpuVolume> DeviceVolumes::place(const std::shared_ptr<const Load
     try {
       return std::make_shared<GpuVolume>(loaded, max_texture_size_);
     } catch (const Error& error) {
-      if (error.detail().code != "too-large" || !drop_oldest()) throw;
+      if (error.detail().code != ErrorCode::too_large || !drop_oldest()) throw;
     }
   }
 }

@@ -30,7 +30,7 @@ VoxelFormat voxel_format(const Voxels& voxels) {
 // A device says so once, at the call that it could not serve.
 void check_device_memory() {
   if (!gl::ran_out_of_memory()) return;
-  throw Error({.code = "too-large",
+  throw Error({.code = ErrorCode::too_large,
                .message = "the renderer has not enough memory for this volume",
                .field = "/volume"});
 }

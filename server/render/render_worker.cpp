@@ -20,7 +20,7 @@ constexpr std::chrono::seconds kIdleViews{60};
 constexpr std::chrono::milliseconds kUploadTurn{10};
 
 Error no_memory() {
-  return Error({.code = "too-large",
+  return Error({.code = ErrorCode::too_large,
                 .message = "there is not enough memory for a picture of this size",
                 .field = "/width_px"});
 }
@@ -30,7 +30,7 @@ Error told(const std::exception& failure, std::uint64_t view) {
   if (const auto* error = dynamic_cast<const Error*>(&failure)) return *error;
   if (dynamic_cast<const std::bad_alloc*>(&failure) != nullptr) return no_memory();
   log().error("view {} could not be drawn: {}", view, failure.what());
-  return Error({.code = "render-failed", .message = "the picture could not be drawn"});
+  return Error({.code = ErrorCode::render_failed, .message = "the picture could not be drawn"});
 }
 
 std::uint32_t microseconds(std::chrono::microseconds spent) {
@@ -224,7 +224,8 @@ void RenderWorker::tidy() {
 // The device tells of its loss once.
 void RenderWorker::check_device() {
   lost_ = lost_ || context_.is_lost();
-  if (lost_) throw Error({.code = "render-failed", .message = "the graphics device was lost"});
+  if (lost_)
+    throw Error({.code = ErrorCode::render_failed, .message = "the graphics device was lost"});
 }
 
 void RenderWorker::finish(bool wait) {

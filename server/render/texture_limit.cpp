@@ -9,7 +9,7 @@ namespace cutaway {
 void check_texture_limit(glm::ivec3 size_voxels, int largest_edge_voxels) {
   const int longest = std::max({size_voxels.x, size_voxels.y, size_voxels.z});
   if (longest <= largest_edge_voxels) return;
-  throw Error({.code = "volume-refused",
+  throw Error({.code = ErrorCode::volume_refused,
                .message = "the volume is too large for the renderer",
                .field = "/volume",
                .expected = "at most " + std::to_string(largest_edge_voxels) + " voxels an edge",

@@ -100,7 +100,7 @@ void check_sides(const Json& message, const SideLimits& limits) {
     if (px == message.end()) continue;
     const bool is_integer = px->is_number_integer();
     if (is_integer && *px >= 1 && *px <= *largest_px) continue;
-    throw Error({.code = is_integer ? "out-of-range" : "wrong-type",
+    throw Error({.code = is_integer ? ErrorCode::out_of_range : ErrorCode::wrong_type,
                  .message = "the picture cannot have this size",
                  .field = pointer_to("", side),
                  .expected = is_integer ? range : "an integer from " + range,
@@ -154,7 +154,8 @@ ClientMessage parse_client_message(std::string_view text, const SideLimits& limi
 }
 
 Error binary_message_error() {
-  return Error({.code = "not-text", .message = "a binary message", .expected = "JSON text"});
+  return Error(
+      {.code = ErrorCode::not_text, .message = "a binary message", .expected = "JSON text"});
 }
 
 MessageEcho echo_of(std::string_view text) {

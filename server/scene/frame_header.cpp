@@ -50,7 +50,7 @@ class Reader {
 };
 
 [[noreturn]] void refuse(const char* message, std::string expected, std::string received) {
-  throw Error({.code = "out-of-range",
+  throw Error({.code = ErrorCode::out_of_range,
                .message = message,
                .expected = std::move(expected),
                .received = std::move(received)});

@@ -54,7 +54,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
                    const nlohmann::detail::exception& exception) override {
     if (exception.id == kNumberOverflow) refuse_number(exception.what());
     const std::string what = exception.what();
-    throw Error({.code = "malformed-json",
+    throw Error({.code = ErrorCode::malformed_json,
                  .message = "not JSON, byte " + std::to_string(position) + ": " +
                             shortened(what.substr(what.find("] ") + 2), 160),
                  .expected = "one JSON document in UTF-8"});
@@ -82,7 +82,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
   bool open(Json empty) {
     if (open_.size() == kMaximumJsonDepth)
-      throw Error({.code = "malformed-json",
+      throw Error({.code = ErrorCode::malformed_json,
                    .message = "nested too deeply",
                    .expected = "at most " + std::to_string(kMaximumJsonDepth) + " levels"});
     open_.push_back({&add(std::move(empty)), {}});
@@ -109,7 +109,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   }
 
   [[noreturn]] void refuse_number(const std::string& what) const {
-    throw Error({.code = "not-finite",
+    throw Error({.code = ErrorCode::not_finite,
                  .message = "a number is too large",
                  .field = here(),
                  .expected = "a number that a 64-bit float holds",

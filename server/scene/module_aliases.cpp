@@ -31,7 +31,7 @@ void check_alias(const Json& schema, const Json& module, const std::string& key,
   }
   const auto& real = schema.at("x-alias").at("of").get_ref<const std::string&>();
   if (!module.contains(real) || module.at(real).is_null()) return;
-  throw Error({.code = "invalid-scene",
+  throw Error({.code = ErrorCode::invalid_scene,
                .message = key + " is another name of " + real + ", and both are there",
                .field = field,
                .expected = "one of the two",

@@ -42,7 +42,7 @@ void refuse_unknown_nulls(const Json& schema, const Json& patch, const Json& mer
   for (const auto& [key, value] : patch.items()) {
     const Json* field = property(*node, key);
     if (field == nullptr && value.is_null())
-      throw Error({.code = "unknown-field",
+      throw Error({.code = ErrorCode::unknown_field,
                    .message = "unknown field",
                    .field = shortened(pointer_to(pointer, key), 200),
                    .expected = words_for_fields(*node)});

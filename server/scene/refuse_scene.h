@@ -16,7 +16,7 @@ inline constexpr double kNearlyParallel = 1e-6;
 /// `field` as a JSON pointer into the scene.
 [[noreturn]] inline void refuse_scene(const std::string& field, const std::string& message,
                                       const std::string& expected, const Json& received) {
-  throw Error({.code = "invalid-scene",
+  throw Error({.code = ErrorCode::invalid_scene,
                .message = message,
                .field = field,
                .expected = expected,

@@ -13,7 +13,7 @@ namespace {
 
 using Violation = std::optional<Error::Detail>;
 
-Violation violation(const char* code, const char* message, std::string field, std::string expected,
+Violation violation(ErrorCode code, const char* message, std::string field, std::string expected,
                     std::string received) {
   return Error::Detail{.code = code,
                        .message = message,
@@ -55,7 +55,8 @@ bool is_like_constant(const Json& schema, const Json& value) {
 
 Violation wrong_type(const Json& schema, const Json& value) {
   if (has_allowed_type(schema, value) && is_like_constant(schema, value)) return {};
-  return violation("wrong-type", "wrong type", "", words_for(schema), words_for_value(value));
+  return violation(ErrorCode::wrong_type, "wrong type", "", words_for(schema),
+                   words_for_value(value));
 }
 
 bool is_outside(const Json& schema, const Json& number) {
@@ -87,26 +88,28 @@ bool is_out_of_range(const Json& schema, const Json& value) {
 Violation out_of_range(const Json& schema, const Json& value) {
   if (!is_out_of_range(schema, value)) return {};
   if (value.is_array())
-    return violation("out-of-range", "wrong number of entries", "", words_for(schema),
+    return violation(ErrorCode::out_of_range, "wrong number of entries", "", words_for(schema),
                      std::to_string(value.size()) + " entries");
-  return violation("out-of-range", "not an allowed value", "", words_for(schema),
+  return violation(ErrorCode::out_of_range, "not an allowed value", "", words_for(schema),
                    words_for_value(value));
 }
 
 Violation no_branch(const Json& schema, const Json& value, const std::string& key) {
   const std::string field = pointer_to("", key);
   const std::string names = words_for_branches(schema);
-  if (!value.contains(key)) return violation("missing-field", "missing field", field, names, "");
+  if (!value.contains(key))
+    return violation(ErrorCode::missing_field, "missing field", field, names, "");
   const std::string received = words_for_value(value.at(key));
   if (!value.at(key).is_string())
-    return violation("wrong-type", "wrong type", field, names, received);
-  if (key == "type") return violation("unknown-message", "unknown message", field, names, received);
-  return violation("unknown-module", "unknown module", field, names, received);
+    return violation(ErrorCode::wrong_type, "wrong type", field, names, received);
+  if (key == "type")
+    return violation(ErrorCode::unknown_message, "unknown message", field, names, received);
+  return violation(ErrorCode::unknown_module, "unknown module", field, names, received);
 }
 
 Violation wrong_branch(const Json& schema, const Json& value) {
   if (!value.is_object())
-    return violation("wrong-type", "wrong type", "", "an object", words_for_value(value));
+    return violation(ErrorCode::wrong_type, "wrong type", "", "an object", words_for_value(value));
   if (const Json* branch = chosen_branch(schema, value)) return first_violation(*branch, value);
   return no_branch(schema, value, discriminator(schema));
 }
@@ -115,7 +118,7 @@ Violation unknown_field(const Json& schema, const Json& value) {
   if (schema.value("additionalProperties", true)) return {};
   for (const auto& [key, ignored] : value.items())
     if (property(schema, key) == nullptr)
-      return violation("unknown-field", "unknown field", pointer_to("", key),
+      return violation(ErrorCode::unknown_field, "unknown field", pointer_to("", key),
                        words_for_fields(schema), "");
   return {};
 }
@@ -126,7 +129,7 @@ Violation missing_field(const Json& schema, const Json& value) {
   for (const Json& key : *required) {
     const auto& name = key.get_ref<const std::string&>();
     if (!value.contains(name))
-      return violation("missing-field", "missing field", pointer_to("", name),
+      return violation(ErrorCode::missing_field, "missing field", pointer_to("", name),
                        words_for(schema.at("properties").at(name)), "");
   }
   return {};

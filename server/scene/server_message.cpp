@@ -87,7 +87,9 @@ Json picked_message(std::uint32_t request, const std::optional<PickedPoint>& poi
 
 Json error_message(const Error& error, const MessageEcho& echo) {
   const Error::Detail& detail = error.detail();
-  Json message{{"type", "error"}, {"code", detail.code}, {"message", detail.message}};
+  Json message{{"type", "error"},
+               {"code", std::string(code_word(detail.code))},
+               {"message", detail.message}};
   add_if_any(message, "field", detail.field);
   add_if_any(message, "expected", detail.expected);
   add_if_any(message, "received", detail.received);

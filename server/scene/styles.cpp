@@ -52,7 +52,7 @@ const Style& style(const std::string& name) {
   const auto found = std::find_if(styles().begin(), styles().end(),
                                   [&](const Style& style) { return style.name == name; });
   if (found != styles().end()) return *found;
-  throw Error({.code = "unknown-style",
+  throw Error({.code = ErrorCode::unknown_style,
                .message = "no such style",
                .field = "/style",
                .expected = names(),

@@ -61,7 +61,7 @@ Made<PictureFile> compressed(const RenderedFrame& rendered) {
 }
 
 Error volume_gone(const std::string& id) {
-  return Error({.code = "unknown-volume",
+  return Error({.code = ErrorCode::unknown_volume,
                 .message = "the volume is not in memory any more",
                 .field = "/scene/volume",
                 .received = id});
@@ -79,7 +79,8 @@ Outcome outcome_of(const RenderOutcome& outcome) {
     return error;
   } catch (const std::exception& failure) {
     log().error("a picture could not be compressed: {}", failure.what());
-    return Error({.code = "render-failed", .message = "the picture could not be compressed"});
+    return Error(
+        {.code = ErrorCode::render_failed, .message = "the picture could not be compressed"});
   }
 }
 

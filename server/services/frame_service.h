@@ -19,7 +19,7 @@ class FrameService : public FrameSource {
   /// Finds the volume of a scene in memory; nothing where it is not there any more.
   using FindVolume = std::function<std::shared_ptr<const LoadedVolume>(const std::string& id)>;
 
-  /// Throws Error "renderer-unavailable".
+  /// Throws StartUpError (renderer_unavailable).
   FrameService(const RendererSettings& settings, FindVolume find_volume);
   ~FrameService() override;
 

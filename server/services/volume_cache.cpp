@@ -20,7 +20,7 @@ void VolumeCache::make_room(std::uint64_t bytes) {
     const auto oldest = std::find_if(volumes_.rbegin(), volumes_.rend(), unused);
     if (oldest == volumes_.rend()) {
       throw Error(
-          {.code = "too-large",
+          {.code = ErrorCode::too_large,
            .message = "the memory for volumes has no room for it beside those that are shown",
            .expected = std::to_string(bytes_) + " bytes for all volumes together",
            .received = std::to_string(used_bytes()) + " in use and " + std::to_string(bytes) +

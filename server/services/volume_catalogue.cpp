@@ -40,7 +40,7 @@ Json entry_json(const CatalogueEntry& entry) {
 }
 
 Error unknown(const std::string& id) {
-  return Error({.code = "unknown-volume",
+  return Error({.code = ErrorCode::unknown_volume,
                 .message = "there is no such volume",
                 .field = "/volume",
                 .expected = "an id of the volumes message",

@@ -50,8 +50,8 @@ std::uint64_t expected_bytes(const VolumeGeometry& geometry) {
 // A client may ask for what there is not: that is no trouble of the server's. A file that cannot be
 // read is.
 spdlog::level::level_enum level_of(const Error& error) {
-  const std::string& code = error.detail().code;
-  const bool asked_in_vain = code == "unknown-volume" || code == "out-of-range";
+  const ErrorCode code = error.detail().code;
+  const bool asked_in_vain = code == ErrorCode::unknown_volume || code == ErrorCode::out_of_range;
   return asked_in_vain ? spdlog::level::debug : spdlog::level::warn;
 }
 
@@ -160,13 +160,13 @@ void VolumeService::load(const std::shared_ptr<LoadJob>& job) {
     log().log(level_of(error), "{} was not opened: {}", id, error.what());
     finish(*job, error_for_client(error, id));
   } catch (const std::bad_alloc&) {
-    finish(*job, Error({.code = "too-large",
+    finish(*job, Error({.code = ErrorCode::too_large,
                         .message = "there is not enough memory for this volume",
                         .field = "/volume",
                         .received = id}));
   } catch (const std::exception& failure) {
     log().error("{} was not opened: {}", id, failure.what());
-    finish(*job, Error({.code = "internal",
+    finish(*job, Error({.code = ErrorCode::internal,
                         .message = "the volume could not be read",
                         .field = "/volume",
                         .received = id}));

@@ -17,7 +17,7 @@ bool at_or_before(std::uint32_t a, std::uint32_t b) {
 }
 
 Error not_awaited(std::uint32_t frame, const std::string& awaited) {
-  return Error({.code = "out-of-range",
+  return Error({.code = ErrorCode::out_of_range,
                 .message = "no acknowledgement of this frame is awaited",
                 .field = "/frame",
                 .expected = awaited,

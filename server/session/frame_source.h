@@ -64,7 +64,8 @@ struct RenderView {
 
 /// For a picture that was asked for once, and was replaced or released.
 inline Error picture_given_up() {
-  return Error({.code = "render-failed", .message = "the picture was given up by the renderer"});
+  return Error(
+      {.code = ErrorCode::render_failed, .message = "the picture was given up by the renderer"});
 }
 
 /// What renders, for people: in `capabilities` and the log.

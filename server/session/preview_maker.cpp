@@ -36,7 +36,7 @@ PreviewMaker::~PreviewMaker() { wiring_.source.release(wiring_.view.view); }
 
 void PreviewMaker::want(const PreviewMessage& wish) {
   if (waiting_.size() >= kMostWaiting) {
-    throw Error({.code = "rate-limited",
+    throw Error({.code = ErrorCode::rate_limited,
                  .message = "too many previews wait",
                  .expected = "at most " + std::to_string(kMostWaiting) + " at a time"});
   }

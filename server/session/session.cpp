@@ -21,7 +21,7 @@ constexpr Milliseconds kBetweenScenes{50.0};  // `scene` messages to the client
 /// A patch that is not taken up can change all but the volume, which would have to be opened.
 const Json& for_one_picture(const Json& patch) {
   if (!patch.contains("volume")) return patch;
-  throw Error({.code = "invalid-scene",
+  throw Error({.code = ErrorCode::invalid_scene,
                .message = "a picture's patch cannot name a volume",
                .field = "/volume",
                .expected = "another field of a scene",
@@ -97,7 +97,7 @@ Session::Reception Session::receive_binary() {
 
 Session::Reception Session::receive_too_large(std::size_t bytes, std::size_t most) {
   if (!message_rate_.take(wiring_.strand->now())) return refuse_too_fast();
-  refuse(Error({.code = "too-large",
+  refuse(Error({.code = ErrorCode::too_large,
                 .message = "the message is too large; it was not heeded",
                 .expected = fmt::format("at most {} bytes", most),
                 .received = fmt::format("{} bytes", bytes)}),
@@ -119,7 +119,7 @@ Session::Reception Session::receive_text(std::string_view text) {
     refuse(error, echo_of(text));
   } catch (const std::exception& failure) {
     log().error("a client's message failed: {}", failure.what());
-    refuse(Error({.code = "internal", .message = "the server failed at this message"}),
+    refuse(Error({.code = ErrorCode::internal, .message = "the server failed at this message"}),
            echo_of(text));
   }
   pay_for_lens_searches();
@@ -139,7 +139,7 @@ void Session::pay_for_lens_searches() {
 
 Session::Reception Session::refuse_too_fast() {
   if (refusal_rate_.take(wiring_.strand->now())) {
-    refuse(Error({.code = "rate-limited",
+    refuse(Error({.code = ErrorCode::rate_limited,
                   .message = "messages come too fast; some were not heeded",
                   .expected = fmt::format("{} a second", settings_.messages_per_second)}),
            {});

@@ -14,7 +14,7 @@ namespace cutaway {
 namespace {
 
 Error no_volume() {
-  return Error({.code = "no-volume",
+  return Error({.code = ErrorCode::no_volume,
                 .message = "no scene is shown yet",
                 .expected = "an open volume, and first a viewport of view 0 and of this one"});
 }
@@ -139,7 +139,7 @@ void Session::check_pixels(int width_px, int height_px) const {
   const std::int64_t pixels = std::int64_t{width_px} * height_px;
   if (pixels <= settings_.viewport_pixels) return;
   throw Error(
-      {.code = "out-of-range",
+      {.code = ErrorCode::out_of_range,
        .message = "the picture has too many pixels",
        .field = "/width_px",
        .expected = fmt::format("width_px times height_px at most {}", settings_.viewport_pixels),

@@ -17,7 +17,7 @@ StillSaver::~StillSaver() { source_.release(view_.view); }
 void StillSaver::require_room() const {
   const std::size_t places = stage_ == Stage::writing ? 2 : 1;
   if (waiting_.size() < places) return;
-  throw Error({.code = "rate-limited",
+  throw Error({.code = ErrorCode::rate_limited,
                .message = "a still is being made and another one waits",
                .expected = "the next save_still once one of the two came"});
 }

@@ -36,14 +36,14 @@ PhantomKind parse_kind(std::string_view id, std::string_view name) {
   const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
                                  [name](const Kind& candidate) { return candidate.name == name; });
   if (kind != kKinds.end()) return kind->kind;
-  throw Error({.code = "unknown-volume",
+  throw Error({.code = ErrorCode::unknown_volume,
                .message = "there is no such phantom",
                .expected = "phantom:head, phantom:abdomen or phantom:knees",
                .received = std::string(id)});
 }
 
 [[noreturn]] void refuse_size(std::string_view received) {
-  throw Error({.code = "out-of-range",
+  throw Error({.code = ErrorCode::out_of_range,
                .message = "a phantom of this size cannot be made",
                .expected = std::to_string(kSmallest) + " to " + std::to_string(kLargest) +
                            " voxels an edge",

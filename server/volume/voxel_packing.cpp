@@ -15,14 +15,14 @@ namespace {
 
 void require_rescale(double slope, double intercept) {
   if (std::isfinite(slope) && std::isfinite(intercept) && slope != 0.0) return;
-  throw Error({.code = "volume-refused",
+  throw Error({.code = ErrorCode::volume_refused,
                .message = "the rescale of the values is unusable",
                .expected = "a finite slope other than 0 and a finite intercept",
                .received = std::to_string(slope) + " and " + std::to_string(intercept)});
 }
 
 [[noreturn]] void refuse_without_values(std::size_t count) {
-  throw Error({.code = "volume-refused",
+  throw Error({.code = ErrorCode::volume_refused,
                .message = "no voxel has a value",
                .expected = "at least one finite value",
                .received = std::to_string(count) + " voxels, none of them finite"});

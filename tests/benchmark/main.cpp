@@ -54,7 +54,8 @@ void write_json(const Json& json, const std::string& path) {
   file << json.dump(2) << '\n';
   file.close();
   if (!file)
-    throw Error({.code = "internal", .message = "the report cannot be written", .field = path});
+    throw Error(
+        {.code = ErrorCode::internal, .message = "the report cannot be written", .field = path});
 }
 
 void run(const Options& options) {

@@ -39,7 +39,7 @@ Viewport parse_size(const std::string& text) {
   char rest = 0;
   const int read = std::sscanf(text.c_str(), "%dx%d%c", &size.width_px, &size.height_px, &rest);
   if (read == 2 && size.width_px >= 1 && size.height_px >= 1) return size;
-  throw Error({.code = "out-of-range",
+  throw Error({.code = ErrorCode::out_of_range,
                .message = "this is no picture size",
                .field = "--sizes",
                .expected = "WIDTHxHEIGHT in pixels",

@@ -29,7 +29,7 @@ void add_cts_of(const std::filesystem::path& folder, std::vector<NamedVolume>& v
 }
 #else
 void add_cts_of(const std::filesystem::path& folder, std::vector<NamedVolume>&) {
-  throw Error({.code = "unknown-volume",
+  throw Error({.code = ErrorCode::unknown_volume,
                .message = "this build reads no files",
                .field = folder.string(),
                .expected = "no --data"});

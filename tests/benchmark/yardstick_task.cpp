@@ -18,7 +18,7 @@ void write(const std::filesystem::path& path, const void* data, std::size_t byte
   file.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
   file.close();
   if (!file) {
-    throw Error({.code = "internal",
+    throw Error({.code = ErrorCode::internal,
                  .message = "the yardstick's task cannot be written",
                  .field = path.string()});
   }
@@ -27,7 +27,7 @@ void write(const std::filesystem::path& path, const void* data, std::size_t byte
 std::vector<std::int16_t> shorts_of(const Volume& volume) {
   using Limits = std::numeric_limits<std::int16_t>;
   if (volume.value_range.minimum < Limits::min() || volume.value_range.maximum > Limits::max()) {
-    throw Error({.code = "out-of-range",
+    throw Error({.code = ErrorCode::out_of_range,
                  .message = "the yardstick takes volumes whose values are shorts",
                  .field = volume.description.id});
   }

@@ -3,7 +3,7 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/start_up_error.h"
 #include "gl/context_display.h"
 
 namespace cutaway::gl {
@@ -35,9 +35,9 @@ TEST(Context, RefusesSoftwareInWordsWhereAGpuIsRequired) {
   try {
     const auto context = Context::create({.require_gpu = true});
     EXPECT_FALSE(context->is_software());
-  } catch (const Error& error) {
-    EXPECT_EQ(error.detail().code, "renderer-unavailable");
-    EXPECT_NE(error.detail().received.find("software"), std::string::npos) << error.what();
+  } catch (const StartUpError& error) {
+    EXPECT_EQ(error.fault(), StartUpError::Fault::renderer_unavailable);
+    EXPECT_NE(std::string(error.what()).find("software"), std::string::npos) << error.what();
   }
 }
 

@@ -334,7 +334,7 @@ TEST_F(RenderThreads, RefusesAVolumeWithAnEdgeTooLongAndGoesOn) {
     thread_.upload(long_one, {}, {});
     ADD_FAILURE() << "it was taken";
   } catch (const Error& error) {
-    EXPECT_EQ(error.detail().code, "volume-refused");
+    EXPECT_EQ(error.detail().code, ErrorCode::volume_refused);
     EXPECT_EQ(error.detail().field, "/volume");
   }
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
@@ -347,7 +347,7 @@ TEST_F(RenderThreads, RefusesAVolumeThatTheDeviceHasNoMemoryForAndGoesOn) {
     thread_.upload(vast, {}, {});
     ADD_FAILURE() << "it was taken";
   } catch (const Error& error) {
-    EXPECT_EQ(error.detail().code, "too-large");
+    EXPECT_EQ(error.detail().code, ErrorCode::too_large);
   }
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
 }

@@ -23,7 +23,7 @@ namespace cutaway::reading {
 namespace {
 
 [[noreturn]] void fail(const char* what, int error) {
-  throw Error({.code = "internal", .message = what, .received = std::strerror(error)});
+  throw Error({.code = ErrorCode::internal, .message = what, .received = std::strerror(error)});
 }
 
 int checked(int result, const char* what) {
@@ -170,7 +170,7 @@ bool ChildProcess::take_line(std::string& line) {
   const std::size_t end = buffer_.find('\n', taken_);
   if (end == std::string::npos) {
     if (buffer_.size() - taken_ > kLongestLine) {
-      throw Error({.code = "volume-refused", .message = "a reader's report is too long"});
+      throw Error({.code = ErrorCode::volume_refused, .message = "a reader's report is too long"});
     }
     return false;
   }

@@ -114,7 +114,7 @@ int run_import_worker() {
   } catch (const Error& error) {
     report("error", to_json(error));
   } catch (const std::exception& error) {
-    report("error", to_json(Error({.code = "volume-refused", .message = error.what()})));
+    report("error", to_json(Error({.code = ErrorCode::volume_refused, .message = error.what()})));
   }
   return 0;
 }

@@ -39,8 +39,8 @@ std::vector<T> take_voxels(const Descriptor& file, std::size_t count) {
   struct stat status {};
   const std::size_t bytes = count * sizeof(T);
   if (fstat(file.get(), &status) != 0 || static_cast<std::size_t>(status.st_size) != bytes) {
-    throw Error(
-        {.code = "volume-refused", .message = "its reader delivered another number of voxels"});
+    throw Error({.code = ErrorCode::volume_refused,
+                 .message = "its reader delivered another number of voxels"});
   }
   std::vector<T> voxels(count);
   const std::span target = std::as_writable_bytes(std::span(voxels));
@@ -48,8 +48,8 @@ std::vector<T> take_voxels(const Descriptor& file, std::size_t count) {
     const ssize_t got =
         pread(file.get(), target.data() + done, bytes - done, static_cast<off_t>(done));
     if (got <= 0)
-      throw Error(
-          {.code = "volume-refused", .message = "its reader's voxels cannot be taken over"});
+      throw Error({.code = ErrorCode::volume_refused,
+                   .message = "its reader's voxels cannot be taken over"});
     done += static_cast<std::size_t>(got);
   }
   return voxels;
@@ -61,15 +61,15 @@ Volume take_volume(VolumeHead head, const Descriptor& file, const ImportLimits& 
   const std::size_t count = std::size_t(size.x) * size.y * size.z;
   // A byte a voxel in the file may become a float here.
   if (count > limits.volume_bytes)
-    throw Error({.code = "too-large", .message = "its reader delivered too many voxels"});
+    throw Error({.code = ErrorCode::too_large, .message = "its reader delivered too many voxels"});
   if (!head.is_float) {
     volume.voxels = take_voxels<std::uint16_t>(file, count);
     return volume;
   }
   auto voxels = take_voxels<float>(file, count);
   if (!std::all_of(voxels.begin(), voxels.end(), [](float v) { return std::isfinite(v); })) {
-    throw Error(
-        {.code = "volume-refused", .message = "its reader delivered values that are no numbers"});
+    throw Error({.code = ErrorCode::volume_refused,
+                 .message = "its reader delivered values that are no numbers"});
   }
   volume.voxels = std::move(voxels);
   return volume;

@@ -17,7 +17,7 @@ Descriptor job_file(const Json& job) {
   Descriptor file = make_memory_file("cutaway-job");
   const std::string text = text_of(job);
   if (pwrite(file.get(), text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
-    throw Error({.code = "internal", .message = "a reader's job cannot be written"});
+    throw Error({.code = ErrorCode::internal, .message = "a reader's job cannot be written"});
   }
   return file;
 }

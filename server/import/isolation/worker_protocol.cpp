@@ -16,8 +16,9 @@ constexpr std::array<std::pair<LoadStage, const char*>, 4> kStages{{{LoadStage::
                                                                     {LoadStage::upload, "upload"}}};
 
 [[noreturn]] void refuse_report(const std::string& field) {
-  throw Error(
-      {.code = "volume-refused", .message = "a reader's report is not usable", .field = field});
+  throw Error({.code = ErrorCode::volume_refused,
+               .message = "a reader's report is not usable",
+               .field = field});
 }
 
 Json numbers(glm::dvec3 v) { return {v.x, v.y, v.z}; }
@@ -151,11 +152,14 @@ Listing listing_from(const Json& json) {
 
 Json to_json(const Error& error) {
   const Error::Detail& detail = error.detail();
-  return {detail.code, detail.message, detail.field, detail.expected, detail.received};
+  return {std::string(code_word(detail.code)), detail.message, detail.field, detail.expected,
+          detail.received};
 }
 
 Error error_from(const Json& json) {
-  return Error({json.at(0), json.at(1), json.at(2), json.at(3), json.at(4)});
+  const auto code = error_code_from(json.at(0).get_ref<const std::string&>());
+  if (!code) refuse_report("code");
+  return Error({*code, json.at(1), json.at(2), json.at(3), json.at(4)});
 }
 
 Json to_json(const VolumeHead& head) {

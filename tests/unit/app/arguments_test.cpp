@@ -53,10 +53,11 @@ TEST(ClientWords, BeginAtTheDataFolder) {
 
 TEST(ClientWords, NameTheFieldOfTheSceneAndTheVolume) {
   const Error told = error_for_client(
-      Error({.code = "volume-refused", .message = "broken", .field = "/srv/data/a.nii"}), "a");
+      Error({.code = ErrorCode::volume_refused, .message = "broken", .field = "/srv/data/a.nii"}),
+      "a");
   EXPECT_EQ(told.detail().field, "/volume");
   EXPECT_EQ(told.detail().received, "a");
-  const Error measured = error_for_client(Error({.code = "too-large",
+  const Error measured = error_for_client(Error({.code = ErrorCode::too_large,
                                                  .message = "too large",
                                                  .field = "/srv/data/a.nii",
                                                  .expected = "1 GiB",

@@ -117,8 +117,8 @@ TEST_F(ConfigTest, RefusesAValueOutOfRangeNamingTheRange) {
   EXPECT_EQ(detail.expected, "1 to 8");
   EXPECT_EQ(detail.received, "0");
   EXPECT_NE(detail.message.find("session.frames_in_flight"), std::string::npos);
-  EXPECT_EQ(refused("[session]\nrest_ms = nan\n").code, "out-of-range");
-  EXPECT_EQ(refused("[session]\nrest_ms = -1\n").code, "out-of-range");
+  EXPECT_EQ(refused("[session]\nrest_ms = nan\n").code, ErrorCode::out_of_range);
+  EXPECT_EQ(refused("[session]\nrest_ms = -1\n").code, ErrorCode::out_of_range);
   EXPECT_EQ(refused("[log]\nlevel = \"loud\"\n").field, line(2));
   EXPECT_EQ(refused("[server]\nlisten = \"8080\"\n").field, line(2));
 }
@@ -162,8 +162,10 @@ TEST_F(ConfigTest, EveryIntegerKeyTakesItsLimitsAndNothingBeyond) {
     const std::string head = "[" + std::string(key.table) + "]\n" + std::string(key.name) + " = ";
     read(head + std::to_string(kind->minimum));
     read(head + std::to_string(kind->maximum));
-    EXPECT_EQ(refused(head + std::to_string(kind->minimum - 1)).code, "out-of-range") << key.name;
-    EXPECT_EQ(refused(head + std::to_string(kind->maximum + 1)).code, "out-of-range") << key.name;
+    EXPECT_EQ(refused(head + std::to_string(kind->minimum - 1)).code, ErrorCode::out_of_range)
+        << key.name;
+    EXPECT_EQ(refused(head + std::to_string(kind->maximum + 1)).code, ErrorCode::out_of_range)
+        << key.name;
   }
 }
 

@@ -54,17 +54,17 @@ TEST_F(SceneFiles, AreTakenAsSceneOrAsStyle) {
 TEST_F(SceneFiles, AStyleOfAnotherVersionOrWithUnknownFieldsIsRefused) {
   for (const char* version : {"0", "2"}) {
     const fs::path file = write(style("{}", std::string(R"(, "version": )") + version));
-    EXPECT_EQ(refusal(file).code, "out-of-range") << version;
+    EXPECT_EQ(refusal(file).code, ErrorCode::out_of_range) << version;
     EXPECT_EQ(refusal(file).field, file.string() + "#/version");
   }
-  EXPECT_EQ(refusal(write(style("{}", R"(, "foo": 1)"))).code, "unknown-field");
-  EXPECT_EQ(refusal(write(R"({"name": "x", "scene": {}})")).code, "missing-field");
+  EXPECT_EQ(refusal(write(style("{}", R"(, "foo": 1)"))).code, ErrorCode::unknown_field);
+  EXPECT_EQ(refusal(write(R"({"name": "x", "scene": {}})")).code, ErrorCode::missing_field);
 }
 
 TEST_F(SceneFiles, NestedTooDeeplyAreRefusedHoweverDeep) {
   for (const std::size_t depth : {33, 1000, 500'000}) {
     const fs::path file = write(std::string(depth, '['));
-    EXPECT_EQ(refusal(file).code, "malformed-json") << depth;
+    EXPECT_EQ(refusal(file).code, ErrorCode::malformed_json) << depth;
     EXPECT_EQ(refusal(file).field, file.string());
   }
 }
@@ -72,7 +72,7 @@ TEST_F(SceneFiles, NestedTooDeeplyAreRefusedHoweverDeep) {
 TEST_F(SceneFiles, ThatAreNoJsonSayWhere) {
   for (const char* text : {"", "nonsense", "{\"volume\": ", "\xff\xfe"}) {
     const Error::Detail detail = refusal(write(text));
-    EXPECT_EQ(detail.code, "malformed-json") << text;
+    EXPECT_EQ(detail.code, ErrorCode::malformed_json) << text;
     EXPECT_THAT(detail.field, EndsWith("scene.json"));
     EXPECT_THAT(detail.message, HasSubstr("byte"));
   }
@@ -80,21 +80,21 @@ TEST_F(SceneFiles, ThatAreNoJsonSayWhere) {
 
 TEST_F(SceneFiles, WithAWrongFieldNameFileAndField) {
   const fs::path scene = write(R"({"lens": {"radius_mm": "large"}})");
-  EXPECT_EQ(refusal(scene).code, "wrong-type");
+  EXPECT_EQ(refusal(scene).code, ErrorCode::wrong_type);
   EXPECT_EQ(refusal(scene).field, scene.string() + "#/lens/radius_mm");
   const fs::path file = write(style(R"({"lens": {"radius_mm": "large"}})"));
   EXPECT_EQ(refusal(file).field, file.string() + "#/scene/lens/radius_mm");
-  EXPECT_EQ(refusal(write(R"({"lens": {"radius_mm": 1e999}})")).code, "not-finite");
+  EXPECT_EQ(refusal(write(R"({"lens": {"radius_mm": 1e999}})")).code, ErrorCode::not_finite);
 }
 
 TEST_F(SceneFiles, OfEndlessLengthAreRefused) {
-  EXPECT_EQ(refusal(write(std::string(2'000'000, ' '))).code, "too-large");
-  EXPECT_EQ(refusal("/dev/zero").code, "too-large");
+  EXPECT_EQ(refusal(write(std::string(2'000'000, ' '))).code, ErrorCode::too_large);
+  EXPECT_EQ(refusal("/dev/zero").code, ErrorCode::too_large);
 }
 
 TEST_F(SceneFiles, FoldersAndPathsToNowhereAreRefused) {
   for (const fs::path& path : {folder_, folder_ / "none", fs::path()}) {
-    EXPECT_EQ(refusal(path).code, "invalid-scene") << path;
+    EXPECT_EQ(refusal(path).code, ErrorCode::invalid_scene) << path;
     EXPECT_EQ(refusal(path).field, path.string());
   }
 }

@@ -6,7 +6,7 @@ namespace cutaway {
 namespace {
 
 TEST(Error, SaysFieldLimitAndWhatCame) {
-  const Error error({.code = "out-of-range",
+  const Error error({.code = ErrorCode::out_of_range,
                      .message = "the lens is too large",
                      .field = "/lens/radius_mm",
                      .expected = "0 to 2000 mm",
@@ -16,7 +16,7 @@ TEST(Error, SaysFieldLimitAndWhatCame) {
 }
 
 TEST(Error, LeavesOutWhatDoesNotApply) {
-  EXPECT_STREQ(Error({.code = "internal", .message = "no"}).what(), "no");
+  EXPECT_STREQ(Error({.code = ErrorCode::internal, .message = "no"}).what(), "no");
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ void expect_refused(const Picture& picture, int quality) {
     encode_jpeg(picture, quality);
     ADD_FAILURE() << quality;
   } catch (const Error& error) {
-    EXPECT_EQ(error.detail().code, "internal");
+    EXPECT_EQ(error.detail().code, ErrorCode::internal);
   }
 }
 

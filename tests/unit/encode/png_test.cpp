@@ -57,7 +57,7 @@ TEST(Png, RefusesAnEmptyPictureAndOneOfPlanes) {
       encode_png(wrong);
       ADD_FAILURE() << "it was taken";
     } catch (const Error& error) {
-      EXPECT_EQ(error.detail().code, "internal");
+      EXPECT_EQ(error.detail().code, ErrorCode::internal);
     }
   }
 }

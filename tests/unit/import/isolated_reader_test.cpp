@@ -24,7 +24,7 @@ std::string failure(const IsolatedReader& isolation, const VolumeSource& source)
     read_volume_isolated(isolation, source, {}, {}, {});
   } catch (const Error& error) {
     EXPECT_EQ(error.detail().field, source.files.front().string());
-    return error.detail().code + ": " + error.what();
+    return std::string(code_word(error.detail().code)) + ": " + error.what();
   }
   return "";
 }
@@ -83,7 +83,7 @@ TEST(IsolatedReader, LimitsHoldInTheChild) {
     read_volume_isolated(worker(), source, {.volume_bytes = 100}, {}, {});
     FAIL() << "read beyond the limit";
   } catch (const Error& error) {
-    EXPECT_EQ(error.detail().code, "too-large");
+    EXPECT_EQ(error.detail().code, ErrorCode::too_large);
   }
 }
 

@@ -18,7 +18,8 @@ TEST_P(Invalid, IsRefusedWithCodeAndField) {
     accept(fixture.schema, fixture.text);
     FAIL() << "accepted";
   } catch (const Error& error) {
-    EXPECT_EQ(error.detail().code, fixture.error.at("code").get<std::string>()) << error.what();
+    EXPECT_EQ(code_word(error.detail().code), fixture.error.at("code").get<std::string>())
+        << error.what();
     EXPECT_EQ(error.detail().field, fixture.error.at("field").get<std::string>()) << error.what();
     EXPECT_FALSE(error.detail().message.empty());
     EXPECT_FALSE(error.detail().expected.empty()) << error.what();

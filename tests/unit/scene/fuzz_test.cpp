@@ -70,7 +70,7 @@ bool try_to(const std::function<void()>& action) {
     action();
     return true;
   } catch (const Error& error) {
-    EXPECT_FALSE(error.detail().code.empty());
+    EXPECT_FALSE(code_word(error.detail().code).empty());
     EXPECT_FALSE(error.detail().message.empty());
     return false;
   }

@@ -31,14 +31,14 @@ TEST(JsonText, TakesWholeNumbersForIntegersHoweverWritten) {
 
 TEST(JsonText, SaysWhereItStopped) {
   const Error::Detail detail = refusal(R"({"a": tru})");
-  EXPECT_EQ(detail.code, "malformed-json");
+  EXPECT_EQ(detail.code, ErrorCode::malformed_json);
   EXPECT_NE(detail.message.find("byte 10"), std::string::npos) << detail.message;
 }
 
 TEST(JsonText, NamesTheFieldOfANumberThatIsTooLarge) {
   EXPECT_EQ(refusal(R"({"a": [{"b": 1}, {"c": [0, [], 1e999]}]})").field, "/a/1/c/2");
   EXPECT_EQ(refusal(R"([[1], [2, 1e999]])").field, "/1/1");
-  EXPECT_EQ(refusal("-1e999").code, "not-finite");
+  EXPECT_EQ(refusal("-1e999").code, ErrorCode::not_finite);
   EXPECT_EQ(refusal("-1e999").received, "'-1e999'");
 }
 
@@ -56,15 +56,15 @@ TEST(JsonText, RefusesDeepNestingWithoutRecursion) {
   for (const char* opening : {"[", R"({"a":)", R"([{"a":)"}) {
     std::string text;
     while (text.size() < 65536) text += opening;
-    EXPECT_EQ(refusal(text).code, "malformed-json");
+    EXPECT_EQ(refusal(text).code, ErrorCode::malformed_json);
   }
   EXPECT_NO_THROW(parse_json(std::string(32, '[') + std::string(32, ']')));
   EXPECT_EQ(refusal(std::string(33, '[') + std::string(33, ']')).expected, "at most 32 levels");
 }
 
 TEST(JsonText, RefusesBytesThatAreNotUtf8) {
-  EXPECT_EQ(refusal("\"\xFF\"").code, "malformed-json");
-  EXPECT_EQ(refusal(std::string("\"\0\"", 3)).code, "malformed-json");
+  EXPECT_EQ(refusal("\"\xFF\"").code, ErrorCode::malformed_json);
+  EXPECT_EQ(refusal(std::string("\"\0\"", 3)).code, ErrorCode::malformed_json);
 }
 
 TEST(JsonText, WritesTitlesThatAreNotUtf8) {

@@ -95,7 +95,7 @@ TEST(ServerMessage, SaysWhichPartOfTheWireWords) {
 }
 
 TEST(ServerMessage, AnErrorNamesWhatApplies) {
-  const Error error({.code = "out-of-range", .message = "m", .field = "/lens/radius_mm"});
+  const Error error({.code = ErrorCode::out_of_range, .message = "m", .field = "/lens/radius_mm"});
   const Json message = error_message(error, {.input = 17});
   expect_valid(message);
   EXPECT_EQ(message, Json::parse(R"({"type": "error", "code": "out-of-range", "message": "m",

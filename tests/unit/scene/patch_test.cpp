@@ -13,7 +13,7 @@ std::string refusal_field(const Json& base, const Json& patch) {
   try {
     patch_scene_document(base, patch);
   } catch (const Error& error) {
-    return error.detail().code + " " + error.detail().field;
+    return std::string(code_word(error.detail().code)) + " " + error.detail().field;
   }
   return "accepted";
 }

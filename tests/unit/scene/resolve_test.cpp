@@ -127,7 +127,7 @@ TEST(Resolve, RefusesABandWithoutValuesAndAFilterTwice) {
     try {
       resolved(text);
     } catch (const Error& error) {
-      return error.detail().code + " " + error.detail().field;
+      return std::string(code_word(error.detail().code)) + " " + error.detail().field;
     }
     return std::string("accepted");
   };

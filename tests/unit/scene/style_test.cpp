@@ -98,7 +98,7 @@ TEST(Styles, AreFoundByName) {
     style("watercolour");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.detail().code, "unknown-style");
+    EXPECT_EQ(error.detail().code, ErrorCode::unknown_style);
     EXPECT_NE(error.detail().expected.find("flagship"), std::string::npos);
   }
 }

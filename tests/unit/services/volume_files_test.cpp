@@ -46,7 +46,7 @@ TEST(VolumeFiles, NeverSaysWhereFilesLie) {
   VolumeService service{VolumeSettings{.data = {folder.path()}}, no_renderer()};
   Heard scanned;
   const auto scan = service.open("not there", scanned.progress(), scanned.done());
-  EXPECT_EQ(scanned.error_code(), "unknown-volume");
+  EXPECT_EQ(scanned.error_code(), ErrorCode::unknown_volume);
   const Json listing = service.listing();
   ASSERT_EQ(listing["refused"].size(), 1);
   ASSERT_EQ(listing["volumes"].size(), 4);  // the phantoms, too
@@ -69,7 +69,7 @@ TEST(VolumeFiles, OffersTheFileThatANamedLinkLeadsTo) {
   VolumeService service{VolumeSettings{.data = {link}}, no_renderer()};
   Heard scanned;
   const auto scan = service.open("not there", scanned.progress(), scanned.done());
-  EXPECT_EQ(scanned.error_code(), "unknown-volume");
+  EXPECT_EQ(scanned.error_code(), ErrorCode::unknown_volume);
   const Json listing = service.listing();
   EXPECT_TRUE(listing["refused"].empty()) << listing;
   Heard heard;
@@ -121,7 +121,7 @@ TEST(VolumeFiles, WhoWaitsForTheScanIsAnsweredAtItsEnd) {
       VolumeSettings{.data = {folder.path()}, .reader = slow_reader(folder, "0.3")}, no_renderer()};
   Heard heard;
   const auto ticket = service.open("file", heard.progress(), heard.done());
-  EXPECT_EQ(heard.error_code(), "unknown-volume");
+  EXPECT_EQ(heard.error_code(), ErrorCode::unknown_volume);
 }
 
 TEST(VolumeFiles, FindsAndOpensARealVolume) {
@@ -132,7 +132,7 @@ TEST(VolumeFiles, FindsAndOpensARealVolume) {
   VolumeService service{VolumeSettings{.data = {folder}}, no_renderer()};
   Heard scanned;
   const auto scan = service.open("not there", scanned.progress(), scanned.done());
-  EXPECT_EQ(scanned.error_code(), "unknown-volume");
+  EXPECT_EQ(scanned.error_code(), ErrorCode::unknown_volume);
   const Json listing = service.listing();
   validate(listing, "volumes");
   const std::string id = listing["volumes"][0]["id"];

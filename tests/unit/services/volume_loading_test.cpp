@@ -106,7 +106,7 @@ TEST(VolumeLoading, WhatIsShownIsNotDroppedAndANewOneIsRefused) {
   const auto held = shown.volume();
   Heard refused;
   const auto other = service.open("phantom:knees@64", refused.progress(), refused.done());
-  EXPECT_EQ(refused.error_code(), "too-large");
+  EXPECT_EQ(refused.error_code(), ErrorCode::too_large);
   EXPECT_NE(service.loaded("phantom:head@64"), nullptr);
 }
 
@@ -143,13 +143,13 @@ TEST(VolumeLoading, AFailedUploadFailsTheLoadAndLeavesNothingBehind) {
   bool full = true;
   UploadTarget target = no_renderer();
   target.upload = [&full](const auto&, const auto&, const auto&) {
-    if (full) throw Error({.code = "too-large", .message = "the device is full"});
+    if (full) throw Error({.code = ErrorCode::too_large, .message = "the device is full"});
   };
   // Room for one: what a failed load had set aside is free again.
   VolumeService service{VolumeSettings{.memory_bytes = 1'300'000}, target};
   Heard refused;
   const auto ticket = service.open("phantom:head@64", refused.progress(), refused.done());
-  EXPECT_EQ(refused.error().detail().code, "too-large");
+  EXPECT_EQ(refused.error().detail().code, ErrorCode::too_large);
   EXPECT_EQ(refused.error().detail().field, "/volume");
   EXPECT_EQ(refused.error().detail().received, "phantom:head@64");
   EXPECT_EQ(service.loaded("phantom:head@64"), nullptr);
@@ -165,7 +165,7 @@ TEST(VolumeLoading, RunningOutOfMemoryIsTheLoadsOwnMisfortune) {
   VolumeService service{VolumeSettings{}, target};
   Heard heard;
   const auto ticket = service.open("phantom:head@32", heard.progress(), heard.done());
-  EXPECT_EQ(heard.error_code(), "too-large");
+  EXPECT_EQ(heard.error_code(), ErrorCode::too_large);
 }
 
 }  // namespace

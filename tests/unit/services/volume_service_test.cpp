@@ -81,7 +81,9 @@ TEST(VolumeService, UnknownVolumesAreRefused) {
        {"nowhere", "", "../../etc/passwd", "phantom:unicorn", "phantom:head@9999"}) {
     Heard heard;
     const auto ticket = service.open(id, heard.progress(), heard.done());
-    EXPECT_THAT(heard.error_code(), ::testing::AnyOf("unknown-volume", "out-of-range")) << id;
+    EXPECT_THAT(heard.error_code(),
+                ::testing::AnyOf(ErrorCode::unknown_volume, ErrorCode::out_of_range))
+        << id;
   }
 }
 
@@ -100,7 +102,7 @@ TEST(VolumeService, AFolderThatCannotBeScannedIsListedWithItsReason) {
   VolumeService service{VolumeSettings{.data = {"/nowhere/at/all"}}, no_renderer()};
   Heard heard;
   const auto ticket = service.open("anything", heard.progress(), heard.done());
-  EXPECT_EQ(heard.error_code(), "unknown-volume");  // answered once the scan has ended
+  EXPECT_EQ(heard.error_code(), ErrorCode::unknown_volume);  // answered once the scan has ended
   ASSERT_EQ(service.listing()["refused"].size(), 1);
   EXPECT_EQ(service.listing()["refused"][0]["path"], "all");
   EXPECT_THAT(service.listing().dump(), ::testing::Not(::testing::HasSubstr("/nowhere")));
@@ -113,7 +115,7 @@ TEST(VolumeService, WhatTheRendererCannotHoldIsRefusedBeforeAVoxelIsRead) {
   Heard heard;
   const auto ticket = service.open("phantom:head@64", heard.progress(), heard.done());
   const Error::Detail refusal = heard.error().detail();
-  EXPECT_EQ(refusal.code, "volume-refused");
+  EXPECT_EQ(refusal.code, ErrorCode::volume_refused);
   EXPECT_EQ(refusal.field, "/volume");
   EXPECT_EQ(refusal.expected, "at most 48 voxels an edge");
   EXPECT_EQ(refusal.received, "64");

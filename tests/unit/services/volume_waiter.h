@@ -51,7 +51,7 @@ class Heard {
   std::shared_ptr<const OpenVolume> volume() {
     return std::get<std::shared_ptr<const OpenVolume>>(outcome());
   }
-  std::string error_code() { return std::get<Error>(outcome()).detail().code; }
+  ErrorCode error_code() { return std::get<Error>(outcome()).detail().code; }
   Error error() { return std::get<Error>(outcome()); }
   void wait_for_progress() {
     std::unique_lock lock(mutex_);

@@ -197,7 +197,7 @@ TEST_F(FrameFlowTest, RefusesTheAcknowledgementOfAFrameNeverSent) {
     flow->acknowledge(4);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.detail().code, "out-of-range");
+    EXPECT_EQ(error.detail().code, ErrorCode::out_of_range);
     EXPECT_EQ(error.detail().field, "/frame");
     EXPECT_EQ(error.detail().expected, "1 to 1");
     EXPECT_EQ(error.detail().received, "4");
@@ -228,10 +228,10 @@ TEST_F(FrameFlowTest, AReplacedFrameReturnsItsCredit) {
 
 TEST_F(FrameFlowTest, AFailedFrameReturnsItsCreditAndIsReportedOnce) {
   show(1);
-  frames.fail(Error({.code = "render-failed", .message = "no"}));
+  frames.fail(Error({.code = ErrorCode::render_failed, .message = "no"}));
   strand->run();
   ASSERT_EQ(errors.size(), 1);
-  EXPECT_EQ(errors[0].detail().code, "render-failed");
+  EXPECT_EQ(errors[0].detail().code, ErrorCode::render_failed);
   strand->advance(Milliseconds(5000.0));
   EXPECT_EQ(frames.submitted, 1) << "the same scene is not tried again";
   show(2);

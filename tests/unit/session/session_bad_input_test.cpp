@@ -121,7 +121,8 @@ TEST_F(SessionBadInputTest, ANonFiniteNumberIsNamedFromItsSceneAndTheMessageEcho
 
 TEST_F(SessionBadInputTest, UnknownVolume) {
   scene({{"volume", "nowhere"}});
-  library.fail(Error({.code = "unknown-volume", .message = "no such volume", .field = "/volume"}));
+  library.fail(
+      Error({.code = ErrorCode::unknown_volume, .message = "no such volume", .field = "/volume"}));
   strand->run();
   expect_error("unknown-volume", "/volume");
   expect_unharmed();
@@ -240,7 +241,7 @@ TEST_F(SessionBadInputTest, ABadPartSpoilsTheWholeMessageAndNothingElse) {
 
 TEST_F(SessionBadInputTest, ARendererThatFailsIsReportedAndTheSessionGoesOn) {
   scene({{"lens", {{"radius_mm", 3.0}}}});
-  frames.fail(Error({.code = "render-failed", .message = "the GPU is gone"}));
+  frames.fail(Error({.code = ErrorCode::render_failed, .message = "the GPU is gone"}));
   strand->run();
   expect_error("render-failed");
   strand->advance(Milliseconds(1000.0));

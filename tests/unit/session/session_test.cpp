@@ -269,7 +269,7 @@ TEST_F(SessionTest, AStillThatFailsMakesWayForTheOneThatWaits) {
   show_ball();
   receive(save(1));
   receive(save(2));
-  frames.fail(Error({.code = "render-failed", .message = "no"}));
+  frames.fail(Error({.code = ErrorCode::render_failed, .message = "no"}));
   strand->run();
   EXPECT_EQ(client.last("error")["request"], 1);
   frames.finish();

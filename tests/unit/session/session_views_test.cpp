@@ -277,7 +277,8 @@ TEST(PreviewCache, KeepsWhatWasAskedForLast) {
 TEST_F(SessionViewsTest, APreviewOfAVolumeThatCannotBeOpenedIsAnsweredWithItsRequest) {
   show_ball();
   receive(preview_of(4, "other"));
-  library.fail(Error({.code = "volume-refused", .message = "it is broken", .field = "/volume"}));
+  library.fail(
+      Error({.code = ErrorCode::volume_refused, .message = "it is broken", .field = "/volume"}));
   strand->run();
   expect_error("volume-refused", "/volume");
   EXPECT_EQ(client.last("error")["request"], 4);

@@ -52,7 +52,8 @@ TEST_F(SessionVolumeTest, CancelWithNothingToCancelIsNoError) {
 TEST_F(SessionVolumeTest, FailureNamesTheInputAndKeepsTheVolumeThatWasShown) {
   show_ball();
   const std::uint32_t asking = scene({{"volume", "broken"}});
-  library.fail(Error({.code = "volume-refused", .message = "truncated", .field = "broken.nii"}));
+  library.fail(
+      Error({.code = ErrorCode::volume_refused, .message = "truncated", .field = "broken.nii"}));
   strand->run();
   expect_error("volume-refused", "broken.nii");
   EXPECT_EQ(client.last("error")["input"], asking);
@@ -64,7 +65,7 @@ TEST_F(SessionVolumeTest, FailureNamesTheInputAndKeepsTheVolumeThatWasShown) {
 TEST_F(SessionVolumeTest, AfterAFailureTheSameVolumeCanBeTriedAgain) {
   show_ball();
   scene({{"volume", "other"}});
-  library.fail(Error({.code = "volume-refused", .message = "no"}));
+  library.fail(Error({.code = ErrorCode::volume_refused, .message = "no"}));
   strand->run();
   open("other");
   EXPECT_EQ(rendered().volume, "other");

@@ -31,11 +31,11 @@ TEST(PhantomId, IsReadAndWritten) {
 }
 
 TEST(PhantomId, RefusesUnknownNamesAndSizes) {
-  EXPECT_EQ(refusal_of("phantom:elbow").code, "unknown-volume");
-  EXPECT_EQ(refusal_of("phantom:").code, "unknown-volume");
+  EXPECT_EQ(refusal_of("phantom:elbow").code, ErrorCode::unknown_volume);
+  EXPECT_EQ(refusal_of("phantom:").code, ErrorCode::unknown_volume);
   for (const char* id : {"phantom:head@31", "phantom:head@513", "phantom:head@", "phantom:head@1e2",
                          "phantom:head@-64", "phantom:head@99999999999"}) {
-    EXPECT_EQ(refusal_of(id).code, "out-of-range") << id;
+    EXPECT_EQ(refusal_of(id).code, ErrorCode::out_of_range) << id;
     EXPECT_EQ(refusal_of(id).expected, "32 to 512 voxels an edge");
   }
   EXPECT_THROW(make_phantom({.size_voxels = 16}, {}, {}), Error);
