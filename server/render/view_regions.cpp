@@ -59,7 +59,11 @@ gl::PixelRect volume_region(const Projection2D& projection, const VolumeGeometry
 
 gl::PixelRect lens_region(const Projection2D& projection, const Scene& scene) {
   if (scene.lens.mode == LensMode::none || scene.lens.radius_mm <= 0.0) return {};
-  return projection.box(scene.lens.centre_mm, LensBody(scene.lens).half_edges_mm());
+  const CameraAxes axes = camera_axes(scene.camera);
+  const LensBody body(scene.lens);
+  const auto half_edge = [&](glm::dvec3 axis) { return body.reach_mm(axis) * axis; };
+  return projection.box(scene.lens.centre_mm,
+                        {half_edge(axes.right), half_edge(axes.up), half_edge(axes.backward)});
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ struct LensPlacementView {
   Viewport viewport;
   ValueBand context;
   ValueBand focus;
-  Module shape = Lens().shape;
+  Module shape;
   bool operator==(const LensPlacementView&) const = default;
 };
 

@@ -51,7 +51,7 @@ double chosen_iso_value(double value) {
 void complete_surface(Surface& surface, const Json& said, double iso_value,
                       const std::string& branch) {
   if (!said.contains("iso_value")) surface.band.lower = chosen_iso_value(iso_value);
-  if (surface.band.upper > surface.band.lower) return;
+  if (!said.contains("upper_value") || surface.band.upper > surface.band.lower) return;
   refuse_scene("/" + branch + "/surface/upper_value", "the band is empty",
                "a value above iso_value, which is " + json_text(surface.band.lower),
                said.at("upper_value"));

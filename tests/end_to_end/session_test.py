@@ -177,7 +177,7 @@ class StopTest(unittest.TestCase):
                 client.receive()
         self.assertEqual(closed.exception.code, 1001)
         client.socket.close()
-        self.assertEqual(server.stop(), 0)
+        self.assertEqual(server.process.wait(timeout=60), 0)  # a second signal would end it at once
 
 
 if __name__ == "__main__":

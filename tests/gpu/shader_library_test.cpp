@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/error.h"
+#include "core/start_up_error.h"
 #include "gl/context.h"
 #include "gl/program.h"
 
@@ -27,6 +28,9 @@ constexpr std::array kFiles{
     EmbeddedFile{"own_error.frag",
                  "#version 450 core\n#include \"common.glsl\"\nout vec4 colour;\n\nvoid main() { "
                  "nonsense; }\n"},
+    EmbeddedFile{"tinted.frag",
+                 "#version 450 core\nuniform float tint;\nuniform float unread;\nout vec4 colour;\n"
+                 "void main() { colour = vec4(tint); }\n"},
     EmbeddedFile{"lost.frag", "#version 450 core\n#include \"nowhere.glsl\"\n"},
 };
 
@@ -34,8 +38,8 @@ std::string error_of(const char* fragment) {
   const auto context = Context::create({});
   try {
     const Program program(ShaderLibrary(kFiles), "pass.vert", fragment);
-  } catch (const Error& error) {
-    return error.detail().message;
+  } catch (const StartUpError& error) {
+    return error.what();
   }
   return "";
 }
@@ -68,6 +72,14 @@ TEST(ShaderLibrary, UnknownIncludeSaysWhoWantedIt) {
     EXPECT_EQ(error.detail().field, "lost.frag:2");
     EXPECT_EQ(error.detail().received, "nowhere.glsl");
   }
+}
+
+TEST(Program, InADebugContextAMisspeltUniformIsAnError) {
+  const auto context = Context::create({.debug_output = true});
+  const Program program(ShaderLibrary(kFiles), "pass.vert", "tinted.frag");
+  EXPECT_NO_THROW(program.set("tint", 0.5F));
+  EXPECT_NO_THROW(program.set("unread", 0.5F)) << "the linker dropped it";
+  EXPECT_THROW(program.set("tnit", 0.5F), StartUpError);
 }
 
 TEST(NameFilesInLog, KnowsBothDriversForms) {

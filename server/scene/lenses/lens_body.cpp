@@ -65,6 +65,18 @@ std::optional<glm::dvec2> LensBody::interval_mm(const ViewRay& ray) const {
   return foot_mm + interval;
 }
 
+// Of its section's corners; between two of them a curve bulges by a little.
+double LensBody::reach_mm(glm::dvec3 direction) const {
+  constexpr double kBulge = 1.002;
+  const glm::dvec3 along = glm::transpose(half_edges_mm()) * direction;
+  const double aside =
+      body_->is_round ? std::hypot(along.x, along.y) : std::abs(along.x) + std::abs(along.y);
+  double farthest_mm = 0.0;
+  for (const glm::dvec2& corner : body_->profile)
+    farthest_mm = std::max(farthest_mm, corner.x * aside + std::abs(corner.y * along.z));
+  return kBulge * farthest_mm;
+}
+
 glm::dmat3 LensBody::half_edges_mm() const {
   return {axes_[0] * half_size_mm_.x, axes_[1] * half_size_mm_.y, axes_[2] * half_size_mm_.z};
 }

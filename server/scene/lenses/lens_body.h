@@ -23,7 +23,9 @@ class LensBody {
 
   const UnitBody& body() const { return *body_; }
   glm::dvec3 centre_mm() const { return centre_mm_; }
-  /// Half edges of the box that holds it.
+  /// How far it reaches from its middle along a unit direction or against it.
+  double reach_mm(glm::dvec3 direction) const;
+  /// Half edges of the box that holds it, along its own axes.
   glm::dmat3 half_edges_mm() const;
   /// Linear part; the body's own coordinates per mm.
   glm::dmat3 body_from_patient() const;

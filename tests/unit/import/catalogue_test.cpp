@@ -9,7 +9,7 @@ namespace cutaway::test {
 namespace {
 
 struct Entry {
-  const char* folder;
+  const char* path;  ///< a folder or file that holds one volume
   glm::ivec3 size;
   glm::dvec3 spacing_mm;
   glm::dvec3 origin_lps_mm;
@@ -18,7 +18,7 @@ struct Entry {
   const char* units;
 };
 
-void PrintTo(const Entry& entry, std::ostream* out) { *out << entry.folder; }
+void PrintTo(const Entry& entry, std::ostream* out) { *out << entry.path; }
 
 class Catalogue : public testing::TestWithParam<Entry> {};
 
@@ -30,9 +30,9 @@ void expect_near(glm::dvec3 a, glm::dvec3 b, double tolerance, const char* what)
 TEST_P(Catalogue, VolumeAgrees) {
   const char* data = std::getenv("CUTAWAY_TEST_DATA");
   if (!data) GTEST_SKIP() << "CUTAWAY_TEST_DATA does not name the folder of real volumes";
-  const std::filesystem::path folder = std::filesystem::path(data) / GetParam().folder;
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there";
-  const VolumeSource source = only_source(folder, data);
+  const std::filesystem::path path = std::filesystem::path(data) / GetParam().path;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+  const VolumeSource source = only_source(path, data);
   const Volume volume = read(source);
   const Entry& entry = GetParam();
   EXPECT_EQ(source.geometry, volume.geometry) << "headers and voxels tell the same geometry";
@@ -47,7 +47,7 @@ TEST_P(Catalogue, VolumeAgrees) {
   EXPECT_NEAR(volume.value_range.minimum, entry.range.minimum, 1e-3);
   EXPECT_NEAR(volume.value_range.maximum, entry.range.maximum, 1e-3);
   EXPECT_EQ(volume.description.units, entry.units);
-  EXPECT_TRUE(source.description.id.starts_with(entry.folder)) << source.description.id;
+  EXPECT_TRUE(source.description.id.starts_with(entry.path)) << source.description.id;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -60,14 +60,14 @@ INSTANTIATE_TEST_SUITE_P(
               {1, 1, 1},
               {-1000, 1979},
               "HU"},
-        Entry{"abdomen_ct_totalseg_nii",
+        Entry{"abdomen_ct_totalseg_nii/example_ct.nii.gz",
               {122, 101, 112},
               {3, 3, 3},
               {177.95632935, -11.31900024, 94.30175781},
               {-1, -1, 1},
               {-1207, 3382},
               "HU"},
-        Entry{"aorta_cta_totalseg_nii",
+        Entry{"aorta_cta_totalseg_nii/ct_cropped.nii.gz",
               {120, 126, 164},
               {1.5, 1.5, 1.5},
               {-71.65820312, -255.65820312, 540.20001221},
@@ -90,7 +90,10 @@ INSTANTIATE_TEST_SUITE_P(
               {0, 512.00003},
               "none"},
         Entry{"stent_cta_nrrd", {128, 128, 256}, {1, 1, 1}, {0, 0, 0}, {1, 1, 1}, {0, 1}, "none"}),
-    [](const auto& test) { return std::string(test.param.folder); });
+    [](const auto& test) {
+      const std::string path = test.param.path;
+      return path.substr(0, path.find('/'));
+    });
 
 }  // namespace
 }  // namespace cutaway::test

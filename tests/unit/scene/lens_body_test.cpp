@@ -159,6 +159,31 @@ TEST(LensBody, HasItsWidthToTheLeftAndItsHeightToTheHead) {
   EXPECT_FALSE(body.interval_mm({{-90, 20, 41}, {1, 0, 0}}));
 }
 
+TEST(LensBody, ReachesAsFarAsItsFarthestPoint) {
+  for (const char* shape :
+       {R"({"name": "sphere"})", R"({"name": "ellipsoid", "azimuth_degrees": 40})",
+        R"({"name": "box", "roll_degrees": 30, "width": 2})",
+        R"({"name": "cylinder", "elevation_degrees": 20, "length": 3})",
+        R"({"name": "cone", "azimuth_degrees": -70})"}) {
+    const LensBody lens(lens_of(shape));
+    const glm::dmat3 to_patient = glm::inverse(lens.body_from_patient());
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(0.3, -0.8, 0.5));
+    double farthest_mm = 0.0;
+    for (int i = 0; i <= 60; ++i) {
+      for (int k = 0; k < 120; ++k) {
+        const double turn = glm::pi<double>() * k / 60.0;
+        const double tilt = glm::pi<double>() * i / 60.0;
+        const glm::dvec3 out(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn),
+                             std::cos(tilt));
+        const glm::dvec3 on_surface = out / lens.body().gauge(out);
+        farthest_mm = std::max(farthest_mm, std::abs(glm::dot(to_patient * on_surface, direction)));
+      }
+    }
+    EXPECT_GE(lens.reach_mm(direction), farthest_mm) << shape;
+    EXPECT_LE(lens.reach_mm(direction), 1.1 * farthest_mm) << shape;
+  }
+}
+
 TEST(LensBody, OfNoSizeIsFinite) {
   const LensBody body(lens_of(R"({"name": "cylinder"})", 0.0));
   EXPECT_TRUE(std::isfinite(body.body_per_mm()));

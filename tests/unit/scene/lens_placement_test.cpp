@@ -18,6 +18,7 @@ LensPlacementView front_view() {
   view.viewport = {600, 400};
   view.context.lower = -200.0;
   view.focus.lower = 250.0;
+  view.shape = {"sphere", Json::object()};
   return view;
 }
 

@@ -21,7 +21,10 @@ class PickTest : public ::testing::Test {
                     .view_height_mm = 400.0};
     scene.context.surface.band.lower = 100.0;
     scene.focus.surface.band.lower = 150.0;
-    scene.lens = {.mode = LensMode::cutaway, .centre_mm = {100.0, 0.0, 0.0}, .radius_mm = 60.0};
+    scene.lens = {.mode = LensMode::cutaway,
+                  .shape = {"sphere", Json::object()},
+                  .centre_mm = {100.0, 0.0, 0.0},
+                  .radius_mm = 60.0};
   }
 
   void expect_hit(glm::dvec2 position_px, PickedBranch branch, glm::dvec3 position_mm) const {
@@ -76,7 +79,10 @@ TEST_F(PickTest, ContextInFrontOfTheLensHidesIt) {
 }
 
 TEST_F(PickTest, ALensAroundEverythingShowsOnlyTheFocus) {
-  scene.lens = {.mode = LensMode::cutaway, .centre_mm = {0.0, 0.0, 0.0}, .radius_mm = 1000.0};
+  scene.lens = {.mode = LensMode::cutaway,
+                .shape = {"sphere", Json::object()},
+                .centre_mm = {0.0, 0.0, 0.0},
+                .radius_mm = 1000.0};
   expect_hit(kMiddle, PickedBranch::focus, {50.0, 0.0, 0.0});
   EXPECT_EQ(pick(scene, volume, {70.0, 50.0}), std::nullopt);  // 80 mm from the middle
 }
@@ -93,7 +99,10 @@ TEST_F(PickTest, BesideTheVolumeThereIsNothing) {
 // As the picture has it: no cut at the eye; behind the lens the context is met where the lens ends.
 TEST_F(PickTest, ACameraInsideTheFocusLooksThroughIt) {
   scene.camera.eye_mm = {20.0, 0.0, 0.0};
-  scene.lens = {.mode = LensMode::cutaway, .centre_mm = {20.0, 0.0, 0.0}, .radius_mm = 10.0};
+  scene.lens = {.mode = LensMode::cutaway,
+                .shape = {"sphere", Json::object()},
+                .centre_mm = {20.0, 0.0, 0.0},
+                .radius_mm = 10.0};
   expect_hit(kMiddle, PickedBranch::context, {10.0, 0.0, 0.0});
 }
 
