@@ -65,7 +65,9 @@ export class Harness {
         this.listener = listener;
         return {
           send: (message) => this.sent.push(message),
-          connectNow: () => void this.connections_wanted++,
+          connectNow: () => {
+            this.connections_wanted += 1;
+          },
         };
       },
       address: () => this.address,

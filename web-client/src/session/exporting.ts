@@ -21,7 +21,7 @@ import { words } from '../words/words.ts';
 import { PathRecorder } from './path_recorder.ts';
 import { ExportError, STILLS_IN_FLIGHT, type Stills } from './stills.ts';
 import type { Toasts } from './toasts.ts';
-import type { SaveFile } from './viewer_session.ts';
+import type { SaveFile } from './session_parts.ts';
 
 export interface FilmWish {
   readonly motion: Turntable | 'path';

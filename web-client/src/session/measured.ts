@@ -27,7 +27,7 @@ import { words } from '../words/words.ts';
 import type { Commands } from './commands.ts';
 import { MeasurementStore, type KeptMeasurements } from './measurement_store.ts';
 import type { Toasts } from './toasts.ts';
-import type { PageParts } from './viewer_session.ts';
+import type { PageParts } from './session_parts.ts';
 
 export class Measured {
   private last_id = 0;

@@ -27,7 +27,7 @@ import type { OpenStorage } from '../preferences/browser_storage.ts';
 import { OwnStyleStore } from './own_style_store.ts';
 import type { Commands } from './commands.ts';
 import type { Toasts } from './toasts.ts';
-import type { SaveFile } from './viewer_session.ts';
+import type { SaveFile } from './session_parts.ts';
 
 /** A file that the page can read: the browser's own kind, and what a test has. */
 export type ReadableFile = Pick<File, 'name' | 'size' | 'text'>;

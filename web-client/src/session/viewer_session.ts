@@ -14,20 +14,20 @@ import type {
   VolumeEntry,
   VolumeSummary,
 } from '../protocol/messages.ts';
-import { WorkerStream, type Stream } from '../stream/stream.ts';
+import { WorkerStream } from '../stream/stream.ts';
 import type { FromWorker, LinkState, ShownFrame } from '../stream/worker_messages.ts';
 import { Commands } from './commands.ts';
 import { Exporting } from './exporting.ts';
 import { FrameRate } from './frame_rate.ts';
 import { Measured } from './measured.ts';
 import { Measuring } from './measuring.ts';
-import type { OpenStorage, WatchStorage } from '../preferences/browser_storage.ts';
 import { OwnStyling } from './own_styling.ts';
 import { Picker } from './picker.ts';
-import { Presence, type PageSight } from './presence.ts';
+import { Presence } from './presence.ts';
 import { PreviewRequests } from './preview_requests.ts';
 import { SceneLink } from './scene_link.ts';
 import { SceneOpening } from './scene_opening.ts';
+import type { PageParts, SessionParts } from './session_parts.ts';
 import { watchForStalls } from './stall_watch.ts';
 import { Slicing } from './slicing.ts';
 import { Stills } from './stills.ts';
@@ -41,22 +41,6 @@ import { capabilitiesInWords, volumeInWords } from '../words/served.ts';
 import { words } from '../words/words.ts';
 
 const LAST_STAGES: ReadonlySet<LoadingMessage['stage']> = new Set(['ready', 'cancelled', 'failed']);
-
-export type SaveFile = (name: string, content: Blob) => void;
-
-/** What the page can do for a session. */
-export interface PageParts {
-  readonly saveFile: SaveFile;
-  readonly openStorage: OpenStorage;
-  readonly watchStorage: WatchStorage;
-  readonly sight: PageSight;
-}
-
-export interface SessionParts extends PageParts {
-  /** Connects at once; events come later, never from inside of this call. */
-  readonly openStream: (listener: (event: FromWorker) => void) => Stream;
-  readonly address: () => string;
-}
 
 interface Told {
   capabilities: CapabilitiesMessage | undefined;
