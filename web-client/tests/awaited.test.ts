@@ -33,6 +33,17 @@ describe('an input that changes nothing in the picture', () => {
     expect(awaitsPicture(harness.state)).toBe(false);
   });
 
+  it('is not shown by a picture of the connection before, whose revisions are other ones', async () => {
+    harness.emit({ kind: 'shown', frame: frame(harness.state.sent_input, 7) });
+    await harness.connect();
+    harness.session.commands.set(['lens', 'radius_mm'], 13);
+    harness.nextFrame();
+    harness.say({ ...sceneMessage, revision: 1, input: harness.state.sent_input });
+    expect(awaitsPicture(harness.state)).toBe(true);
+    harness.emit({ kind: 'shown', frame: frame(harness.state.sent_input, 1) });
+    expect(awaitsPicture(harness.state)).toBe(false);
+  });
+
   it('is not sent at all where the zoom is at its limit', () => {
     for (let notch = 0; notch < 200; notch++) harness.session.commands.zoom(0.5);
     harness.nextFrame();

@@ -56,12 +56,24 @@ function describeModule([name, { title, description, properties }]) {
   return { name, title, description, parameters };
 }
 
-export const modules = Object.fromEntries(
-  ['shading', 'filter', 'lens_shape'].map((kind) => [
-    kind,
-    Object.entries(moduleDefinitions[kind]).map(describeModule),
-  ]),
-);
+const describeKind = (kind) => Object.entries(moduleDefinitions[kind]).map(describeModule);
+
+const SECTION_CORNERS = 33;
+const halfCircle = Array.from({ length: SECTION_CORNERS }, (_, index) => {
+  const angle = (Math.PI * index) / (SECTION_CORNERS - 1);
+  return [Math.sin(angle), -Math.cos(angle)];
+});
+
+/** The stand-in draws no other lens. */
+const lensShapes = describeKind('lens_shape')
+  .filter(({ name }) => name === 'sphere')
+  .map((shape) => ({ ...shape, outline: { profile: halfCircle, round: true } }));
+
+export const modules = {
+  shading: describeKind('shading'),
+  filter: describeKind('filter'),
+  lens_shape: lensShapes,
+};
 
 /** The module's real parameters: another name of one counts `factor` times. */
 export function withoutAliases(kind, module) {

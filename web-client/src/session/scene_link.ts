@@ -36,6 +36,8 @@ export class SceneLink implements OutboxSender {
   private readonly outbox = new Outbox(this);
   /** What the server said last: a picture of that revision shows that input. */
   private last_told: { readonly revision: number; readonly input: number } | undefined;
+  /** Of this connection: revisions of the one before count for nothing. */
+  private last_shown: ShownFrame | undefined;
 
   constructor(
     private readonly store: Store<ViewerState>,
@@ -110,6 +112,8 @@ export class SceneLink implements OutboxSender {
   /** A new connection: what the page shows stays, the server knows nothing. */
   restart(): void {
     this.outbox.discard();
+    this.last_told = undefined;
+    this.last_shown = undefined;
     this.sync.restart(this.sync.scene);
     this.shown_views.restart(this.store.state.scene);
   }
@@ -118,10 +122,10 @@ export class SceneLink implements OutboxSender {
     this.sync.shown(message.input);
     this.sync.told(message.scene as JsonObject);
     this.publish();
-    const { scene, shown } = this.store.state;
+    const { scene } = this.store.state;
     if (scene) this.shown_views.changedByServer(message.revision, scene);
     this.last_told = message;
-    if (shown) this.showsTold(shown);
+    this.showsTold();
   }
 
   /** A gesture is under way whose picture is not there yet. */
@@ -132,7 +136,8 @@ export class SceneLink implements OutboxSender {
   shown(frame: ShownFrame): Scene | undefined {
     this.sync.shown(frame.input);
     this.showsInput(frame.input);
-    this.showsTold(frame);
+    this.last_shown = frame;
+    this.showsTold();
     return this.shown_views.volumeShownBy(frame);
   }
 
@@ -152,9 +157,9 @@ export class SceneLink implements OutboxSender {
    * What changes nothing in the picture makes no frame: the one of the revision that was told shows
    * it, be it on the screen already or still to come, with an older input in its header.
    */
-  private showsTold(shown: ShownFrame): void {
-    const told = this.last_told;
-    if (!told) return;
+  private showsTold(): void {
+    const { last_told: told, last_shown: shown } = this;
+    if (!told || !shown) return;
     const is_newest =
       !isAfter(told.revision, shown.revision) || this.shown_views.isVolumeShownBy(shown);
     if (is_newest) this.showsInput(told.input);
