@@ -63,13 +63,9 @@ void set_trusted_proxies(Config& config, const std::vector<std::string>& proxies
   config.net.trusted_proxies = proxies;
 }
 
-std::vector<ConfigKey> server_keys() {
+/// Who may come, and how many.
+std::vector<ConfigKey> seat_keys() {
   return {
-      {"server", "listen",
-       TextKey{[](Config& c, const std::string& t) { parse_listen(t, c.net); }}},
-      {"server", "io_threads",
-       integer(
-           1, 64, [](Config & c) -> auto& { return c.net.io_threads; })},
       {"server", "connections",
        integer(
            1, kMillion, [](Config & c) -> auto& { return c.net.connections; })},
@@ -93,6 +89,16 @@ std::vector<ConfigKey> server_keys() {
       {"server", "share_wait_ms",
        milliseconds(
            0, 100 * kMillion, [](Config & c) -> auto& { return c.net.share_wait; })},
+  };
+}
+
+std::vector<ConfigKey> server_keys() {
+  return {
+      {"server", "listen",
+       TextKey{[](Config& c, const std::string& t) { parse_listen(t, c.net); }}},
+      {"server", "io_threads",
+       integer(
+           1, 64, [](Config & c) -> auto& { return c.net.io_threads; })},
       {"server", "message_bytes",
        integer(
            1024, 64 * kMillion, [](Config & c) -> auto& { return c.net.message_bytes; })},
@@ -202,6 +208,7 @@ std::vector<ConfigKey> other_keys() {
 const std::vector<ConfigKey>& config_keys() {
   static const std::vector<ConfigKey> all = [] {
     std::vector<ConfigKey> keys = server_keys();
+    std::ranges::copy(seat_keys(), std::back_inserter(keys));
     std::ranges::copy(session_keys(), std::back_inserter(keys));
     std::ranges::copy(other_keys(), std::back_inserter(keys));
     return keys;

@@ -40,6 +40,7 @@ std::jthread start_thread(std::function<void(const std::stop_token&)> work) try 
 
 void require_threads(int count) {
   std::vector<std::jthread> idle;
+  idle.reserve(static_cast<std::size_t>(count));
   const auto until_stopped = [](const std::stop_token& stop) {
     std::mutex mutex;
     std::unique_lock lock(mutex);

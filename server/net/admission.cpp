@@ -1,6 +1,7 @@
 #include "net/admission.h"
 
 #include <algorithm>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -102,9 +103,9 @@ bool Admission::make_room_in_queue(const std::string& newcomer) {
   const auto most =
       std::ranges::max_element(counts, {}, [](const auto& group) { return group.second; });
   if (most->second <= share) return false;
-  for (auto each = entries_.rbegin(); each != entries_.rend(); ++each) {
-    if ((*each)->seated || (*each)->group != most->first) continue;
-    const std::shared_ptr<Entry> leaving = *each;
+  for (const auto& each : std::views::reverse(entries_)) {
+    if (each->seated || each->group != most->first) continue;
+    const std::shared_ptr<Entry> leaving = each;  // it is taken off the list
     give_way(*leaving, Why::queue_full);
     return true;
   }

@@ -65,6 +65,7 @@ constexpr std::array kSingleByteSets{
 /// What iconv makes of it; a byte that it does not know is left out for U+FFFD.
 std::string converted(std::string_view text, const char* encoding) {
   const iconv_t converter = iconv_open("UTF-8", encoding);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): iconv's own way
   if (converter == reinterpret_cast<iconv_t>(-1)) return printable(text);
   std::string input(text);
   std::string result(input.size() * 4 + 16, '\0');

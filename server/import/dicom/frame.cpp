@@ -30,7 +30,7 @@ std::string binary_key(const DataSet& data, DicomTag tag) {
 
 /// Date and time in one, or either.
 std::string time_key(const DataSet& data, DicomTag date_time, DicomTag date, DicomTag time) {
-  const std::string both = data.text(date_time);
+  std::string both = data.text(date_time);
   if (!both.empty()) return both;
   const std::string day = data.text(date);
   const std::string hour = data.text(time);

@@ -46,7 +46,7 @@ DicomGroup part_of(const DicomGroup& whole, std::vector<DicomFrame> frames, cons
   return part;
 }
 
-std::vector<DicomGroup> split(const DicomGroup& whole, FramesByKey by_key,
+std::vector<DicomGroup> split(const DicomGroup& whole, FramesByKey&& by_key,
                               const std::string& name) {
   if (by_key.size() < 2) return {whole};
   std::vector<DicomGroup> parts;

@@ -30,7 +30,8 @@ DicomGroup part_of(const DicomGroup& whole, std::vector<DicomFrame> frames, cons
                    const std::string& value);
 
 /// The group itself where there is but one key.
-std::vector<DicomGroup> split(const DicomGroup& whole, FramesByKey by_key, const std::string& name);
+std::vector<DicomGroup> split(const DicomGroup& whole, FramesByKey&& by_key,
+                              const std::string& name);
 std::vector<DicomGroup> split_by_key(const DicomGroup& whole, PlaneKey key);
 
 void sort_along_normal(std::vector<DicomFrame>& frames);

@@ -41,7 +41,7 @@ FramesByKey by_identity(const DicomGroup& group, Identity which) {
   return by_value;
 }
 
-FramesByKey numbered(FramesByKey by_value) {
+FramesByKey numbered(FramesByKey&& by_value) {
   FramesByKey by_number;
   for (auto& [value, frames] : by_value)
     by_number[std::to_string(by_number.size() + 1)] = std::move(frames);

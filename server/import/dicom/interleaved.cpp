@@ -19,6 +19,7 @@ struct Span {
 
 std::vector<double> heights_of(const DicomGroup& group, glm::dvec3 normal) {
   std::vector<double> heights;
+  heights.reserve(group.frames.size());
   for (const auto& frame : group.frames) heights.push_back(glm::dot(frame.position_mm, normal));
   std::sort(heights.begin(), heights.end());
   return heights;
@@ -56,6 +57,7 @@ bool is_even(const DicomGroup& group) {
 /// Thicknesses that differ by rounding only are one.
 std::vector<DicomGroup> by_thickness(const DicomGroup& group) {
   std::vector<double> thicknesses;
+  thicknesses.reserve(group.frames.size());
   for (const auto& frame : group.frames) thicknesses.push_back(frame.thickness_mm);
   std::sort(thicknesses.begin(), thicknesses.end());
   std::vector<double> firsts;

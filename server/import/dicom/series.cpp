@@ -58,7 +58,7 @@ std::vector<DicomGroup> split_by_pixel_grid(const DicomGroup& group) {
 
 /// Each of `parts` by what `split` makes of it.
 template <typename Split>
-std::vector<DicomGroup> each(std::vector<DicomGroup> groups, const Split& split) {
+std::vector<DicomGroup> each(const std::vector<DicomGroup>& groups, const Split& split) {
   std::vector<DicomGroup> parts;
   for (const auto& group : groups) {
     for (auto& part : split(group)) parts.push_back(std::move(part));
