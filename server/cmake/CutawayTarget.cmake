@@ -20,7 +20,8 @@ endif()
 if(CUTAWAY_SANITIZE)
   target_compile_options(cutaway_options INTERFACE -fsanitize=${CUTAWAY_SANITIZE} -fno-omit-frame-pointer
     -Wno-maybe-uninitialized)  # PR 105562 again: std::regex under the sanitizers
-  target_link_options(cutaway_options INTERFACE -fsanitize=${CUTAWAY_SANITIZE})
+  # The sanitizer's own dlopen asks the program's RPATH for cutaway-images.so, but not its RUNPATH.
+  target_link_options(cutaway_options INTERFACE -fsanitize=${CUTAWAY_SANITIZE} -Wl,--disable-new-dtags)
 endif()
 
 find_program(CCACHE ccache)

@@ -92,8 +92,8 @@ void Session::handle(const CloseViewMessage& message) {
 }
 
 void Session::handle(const DragLensMessage& message) {
-  const glm::dvec3 centre =
-      dragged_lens_centre(shown_scene(), *state_.volume(), message.position_px);
+  const Scene& scene = shown_scene();  // first: without one there is no volume either
+  const glm::dvec3 centre = dragged_lens_centre(scene, *state_.volume(), message.position_px);
   const Json patch = {{"lens", {{"centre_mm", {centre.x, centre.y, centre.z}}}}};
   const Json document = changed_document(state_.document(), patch, false);
   took_effect(state_.set_document(document), message.stamp);
