@@ -112,11 +112,11 @@ std::vector<DicomGroup> split_unless_scattered(const DicomGroup& group, PlaneKey
 std::vector<DicomGroup> split_series(const DicomGroup& series) {
   std::vector<DicomGroup> parts = split_by_pixel_grid(series);
   for (std::size_t key = 0; key < kPlaneKeysThatAlwaysPart; ++key) {
-    parts = each(std::move(parts), [key](const DicomGroup& part) {
+    parts = each(parts, [key](const DicomGroup& part) {
       return split_unless_scattered(part, static_cast<PlaneKey>(key));
     });
   }
-  return each(std::move(parts), split_interleaved);
+  return each(parts, split_interleaved);
 }
 
 }  // namespace
