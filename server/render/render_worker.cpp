@@ -93,6 +93,7 @@ std::vector<RenderWorker::Waiting> RenderWorker::views_that_wait(
 // First the session, then the view: who has four pictures gets no more than who has one.
 std::uint64_t RenderWorker::next_view(const std::vector<Waiting>& waiting) {
   std::vector<std::uint64_t> numbers;
+  numbers.reserve(waiting.size());
   for (const Waiting& each : waiting) numbers.push_back(each.share);
   const std::uint64_t share = shares_.next(numbers);
   numbers.clear();

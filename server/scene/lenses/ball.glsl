@@ -20,6 +20,7 @@ real unit_offset(vec3 origin, vec3 direction) {
 }
 
 // Half a chord grows by at most sqrt(half^2 + 2 reach) - half, without bound towards the outline.
+// NOLINTNEXTLINE(misc-unused-parameters): other bodies ask where the ray is
 real unit_rim(vec3 origin, vec3 direction, vec2 interval, real reach) {
   real speed = length(direction);
   real half_chord = 0.5 * (interval.y - interval.x) * speed;
