@@ -61,8 +61,8 @@ void refuse_repeated_filters(const std::vector<Module>& filters, const std::stri
   for (std::size_t i = 0; i < filters.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (filters[i].name != filters[k].name) continue;
-      refuse_scene(("/" + branch + "/filters/" + std::to_string(i)).c_str(),
-                   "the filter is there twice", "each filter once", filters[i].name);
+      refuse_scene("/" + branch + "/filters/" + std::to_string(i), "the filter is there twice",
+                   "each filter once", filters[i].name);
     }
   }
 }

@@ -75,6 +75,7 @@ std::optional<LargeStills::Job> LargeStills::next(const std::stop_token& stop) {
 
 LargeStills::Job LargeStills::take_next() {
   std::vector<std::uint64_t> shares;
+  shares.reserve(waiting_.size());
   for (const Job& job : waiting_) shares.push_back(job.request.share);
   const std::uint64_t share = turns_.next(shares);
   const auto place = waiting_.begin() + (std::ranges::find(shares, share) - shares.begin());
