@@ -267,7 +267,7 @@ TEST_F(RenderThreads, WhatAViewShowsStaysBeforeWhatWasUsedSince) {
 }
 
 TEST_F(RenderThreads, AReceiverThatFailsLeavesTheOthersAlone) {
-  thread_.submit({request(1), [](RenderOutcome) { throw std::bad_alloc(); }});
+  thread_.submit({request(1), [](const RenderOutcome&) { throw std::bad_alloc(); }});
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(2)).get()));
   EXPECT_TRUE(std::holds_alternative<RenderedFrame>(submit(request(1)).get()));
 }

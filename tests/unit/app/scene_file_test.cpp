@@ -23,7 +23,7 @@ class SceneFiles : public ::testing::Test {
   ~SceneFiles() override { fs::remove_all(folder_); }
 
   fs::path write(const std::string& text) const {
-    const fs::path file = folder_ / "scene.json";
+    fs::path file = folder_ / "scene.json";
     std::ofstream(file, std::ios::binary) << text;
     return file;
   }
