@@ -40,25 +40,30 @@ glm::dvec3 half_size_mm(const Module& shape, double radius_mm) {
   return glm::max(radius_mm * size, kSmallest_mm);
 }
 
+glm::dmat3 stretched(const glm::dmat3& axes, glm::dvec3 half_size_mm) {
+  return {axes[0] * half_size_mm.x, axes[1] * half_size_mm.y, axes[2] * half_size_mm.z};
+}
+
 }  // namespace
 
 LensBody::LensBody(const Lens& lens)
     : body_(find_lens_shape(lens.shape.name).body),
       centre_mm_(lens.centre_mm),
-      axes_(axes_of(lens.shape.parameters)),
-      half_size_mm_(half_size_mm(lens.shape, lens.radius_mm)) {}
+      half_edges_mm_(
+          stretched(axes_of(lens.shape.parameters), half_size_mm(lens.shape, lens.radius_mm))),
+      body_from_patient_(glm::inverse(half_edges_mm_)) {}
 
 LensBody LensBody::at(glm::dvec3 centre_mm, double size) const {
   LensBody moved = *this;
   moved.centre_mm_ = centre_mm;
-  moved.half_size_mm_ *= size;
+  moved.half_edges_mm_ *= size;
+  moved.body_from_patient_ /= size;
   return moved;
 }
 
 std::optional<glm::dvec2> LensBody::interval_mm(const ViewRay& ray) const {
-  const glm::dmat3 to_body = body_from_patient();
-  const glm::dvec3 origin = to_body * (ray.origin_mm - centre_mm_);
-  const glm::dvec3 direction = to_body * ray.direction;
+  const glm::dvec3 origin = body_from_patient_ * (ray.origin_mm - centre_mm_);
+  const glm::dvec3 direction = body_from_patient_ * ray.direction;
   const double foot_mm = -glm::dot(origin, direction) / glm::dot(direction, direction);
   const glm::dvec2 interval = body_->interval(origin + foot_mm * direction, direction);
   if (interval.y <= interval.x) return std::nullopt;
@@ -68,7 +73,7 @@ std::optional<glm::dvec2> LensBody::interval_mm(const ViewRay& ray) const {
 // Of its section's corners; between two of them a curve bulges by a little.
 double LensBody::reach_mm(glm::dvec3 direction) const {
   constexpr double kBulge = 1.002;
-  const glm::dvec3 along = glm::transpose(half_edges_mm()) * direction;
+  const glm::dvec3 along = glm::transpose(half_edges_mm_) * direction;
   const double aside =
       body_->is_round ? std::hypot(along.x, along.y) : std::abs(along.x) + std::abs(along.y);
   double farthest_mm = 0.0;
@@ -77,17 +82,9 @@ double LensBody::reach_mm(glm::dvec3 direction) const {
   return kBulge * farthest_mm;
 }
 
-glm::dmat3 LensBody::half_edges_mm() const {
-  return {axes_[0] * half_size_mm_.x, axes_[1] * half_size_mm_.y, axes_[2] * half_size_mm_.z};
-}
-
-glm::dmat3 LensBody::body_from_patient() const {
-  return glm::transpose(glm::dmat3(axes_[0] / half_size_mm_.x, axes_[1] / half_size_mm_.y,
-                                   axes_[2] / half_size_mm_.z));
-}
-
 double LensBody::body_per_mm() const {
-  return 1.0 / std::min({half_size_mm_.x, half_size_mm_.y, half_size_mm_.z});
+  return 1.0 / std::min({glm::length(half_edges_mm_[0]), glm::length(half_edges_mm_[1]),
+                         glm::length(half_edges_mm_[2])});
 }
 
 }  // namespace cutaway

@@ -26,17 +26,17 @@ class LensBody {
   /// How far it reaches from its middle along a unit direction or against it.
   double reach_mm(glm::dvec3 direction) const;
   /// Half edges of the box that holds it, along its own axes.
-  glm::dmat3 half_edges_mm() const;
+  const glm::dmat3& half_edges_mm() const { return half_edges_mm_; }
   /// Linear part; the body's own coordinates per mm.
-  glm::dmat3 body_from_patient() const;
+  const glm::dmat3& body_from_patient() const { return body_from_patient_; }
   /// The most that a length grows by that.
   double body_per_mm() const;
 
  private:
   const UnitBody* body_;
   glm::dvec3 centre_mm_;
-  glm::dmat3 axes_;  ///< the body's own, unit
-  glm::dvec3 half_size_mm_;
+  glm::dmat3 half_edges_mm_;
+  glm::dmat3 body_from_patient_;  ///< its inverse, kept: each ray asks for it
 };
 
 }  // namespace cutaway
