@@ -301,7 +301,7 @@ describe('the slices on a desktop', { skip }, () => {
     await viewer.after(async () => {
       await page().mouse.click(...(await slices.at('axial', 0.55, 0.55)));
     });
-    const ring = await slices.part('axial', 'lens-cut').locator('circle').first().boundingBox();
+    const ring = await slices.part('axial', 'lens-cut').locator('polygon').first().boundingBox();
     const [x, y] = await slices.crosshair('axial');
     assert.ok(Math.hypot(ring.x + ring.width / 2 - x, ring.y + ring.height / 2 - y) < 3);
     await viewer.screenshot('desktop-slices-lens');
