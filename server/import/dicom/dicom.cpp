@@ -178,10 +178,10 @@ std::vector<std::vector<std::size_t>> turns_of(const DicomGroup& group) {
 /// Frames are decoded beside each other in half of what the volume itself takes, and a little.
 int threads_for(const DicomGroup& group) {
   constexpr std::uint64_t kLittleBytes = std::uint64_t{48} << 20;
-  constexpr std::uint64_t kCopies = 4;  // packed, in the codec, as its picture, as bytes
+  constexpr std::uint64_t kFrameCopies = 4;  // packed, in the codec, as its picture, as bytes
   const std::uint64_t frame = std::max<std::uint64_t>(frame_bytes(group), 1);
   const std::uint64_t room = kLittleBytes + frame * group.frames.size() / 2;
-  const std::uint64_t fit = std::max<std::uint64_t>(room / (kCopies * frame), 1);
+  const std::uint64_t fit = std::max<std::uint64_t>(room / (kFrameCopies * frame), 1);
   return static_cast<int>(std::min<std::uint64_t>(decode_threads(frame), fit));
 }
 
