@@ -178,7 +178,7 @@ COMMANDS = {
     "npm ci": Elsewhere("deploy/build", "npm ci"),
     "npm run build": Elsewhere("deploy/build", "npm run build"),
     "npm run check": Elsewhere("tests/run", "npm run check"),
-    "npm run test:browser": Elsewhere("tests/run", "tests/tools/browser_tests"),
+    "npm run test:browser": Elsewhere("tests/run", "npm --prefix web-client run test:browser"),
     "npm run dev": Run(dev_server),
     "npm run mock": Run(mock_server),
     "tests/run": Elsewhere("tests/run", "tests/readme/run"),
