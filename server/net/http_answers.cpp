@@ -63,7 +63,10 @@ bool accepts_gzip(std::string_view header) {
          parameters->find_first_of("123456789") != std::string_view::npos;
 }
 
-void strip_body_for_head(const HttpRequest& request, HttpResponse& response) {
+void prepare_for(const HttpRequest& request, HttpResponse& response) {
+  set_security_headers(response);
+  response.version(request.version());
+  response.keep_alive(request.keep_alive());
   const std::size_t length = response.body().size();
   if (request.method() == http::verb::head) {
     response.body().clear();
@@ -79,20 +82,20 @@ HttpAnswers::HttpAnswers(StaticFiles files, Sources sources)
     : files_(std::move(files)), sources_(std::move(sources)) {}
 
 HttpResponse HttpAnswers::answer(const HttpRequest& request) const {
-  HttpResponse response;
   const auto path = clean_path(view_of(request.target()));
-  if (request.method() != http::verb::get && request.method() != http::verb::head) {
-    response = plain(http::status::method_not_allowed, "Only GET and HEAD are answered here.");
-    response.set(http::field::allow, "GET, HEAD");
-  } else if (!path) {
-    response = plain(http::status::bad_request, "The path of the request is malformed.");
-  } else {
-    response = answer_get(request, *path);
-  }
-  set_security_headers(response);
-  response.version(request.version());
-  response.keep_alive(request.keep_alive());
-  strip_body_for_head(request, response);
+  HttpResponse response =
+      path ? answer_get(request, *path)
+           : plain(http::status::bad_request, "The path of the request is malformed.");
+  prepare_for(request, response);
+  return response;
+}
+
+HttpResponse HttpAnswers::method_refusal(const HttpRequest& request, const std::string& allowed) {
+  HttpResponse response =
+      plain(http::status::method_not_allowed, "What is answered here: " + allowed + ".");
+  response.set(http::field::allow, allowed);
+  prepare_for(request, response);
+  if (announces_body_over(request, 0)) response.keep_alive(false);
   return response;
 }
 
@@ -117,6 +120,9 @@ const HttpAnswers::Route* HttpAnswers::find_route(std::string_view path) {
       {"/readyz", 0, &HttpAnswers::readiness},
       {"/api/volumes", 0, &HttpAnswers::listing},
   }};
+  static_assert(
+      std::ranges::all_of(kRoutes, [](const Route& each) { return each.largest_body == 0; }),
+      "HttpConnection reads no body: it would take one for the next request");
   const auto found = std::ranges::find(kRoutes, path, &Route::path);
   return found == kRoutes.end() ? nullptr : &*found;
 }

@@ -26,10 +26,13 @@ class HttpAnswers {
 
   HttpAnswers(StaticFiles files, Sources sources);
 
-  /// The whole response, its body left out for HEAD.
+  /// The whole response to GET, or to HEAD with its body left out.
   HttpResponse answer(const HttpRequest& request) const;
   /// The largest body that this request may have, bytes.
   std::uint64_t largest_body(const HttpRequest& request) const;
+  /// 405, to a request of another method than the `allowed`, a list as in Allow. The connection
+  /// ends with it where a body follows.
+  static HttpResponse method_refusal(const HttpRequest& request, const std::string& allowed);
   /// For a request that is not heeded; the connection ends with it.
   static HttpResponse refusal(boost::beast::http::status status, std::string_view reason);
 

@@ -34,6 +34,14 @@ HeadRefusal too_long(std::string_view received) {
           "The request's header is longer than 16 KiB."};
 }
 
+// Before its body is: a method that nobody takes is no question of size.
+std::optional<HttpResponse> refuse_method(const HttpRequest& request) {
+  const bool for_web_socket = is_web_socket_request(request);
+  if (request.method() == http::verb::get) return std::nullopt;
+  if (request.method() == http::verb::head && !for_web_socket) return std::nullopt;
+  return HttpAnswers::method_refusal(request, for_web_socket ? "GET" : "GET, HEAD");
+}
+
 std::string forwarded_for(const HttpRequest& request) {
   std::string all;
   for (const auto& field : request) {
@@ -126,8 +134,8 @@ asio::awaitable<HttpConnection::Reading> HttpConnection::find_head(HeadScanner& 
 asio::awaitable<bool> HttpConnection::serve(HttpRequest request) {
   std::optional<HttpResponse> refusal = refusal_of(request);
   if (refusal) {
-    co_await respond(std::move(*refusal));
-    co_return false;
+    const bool more = co_await respond(std::move(*refusal));
+    co_return more;
   }
   if (!is_web_socket_request(request)) {
     HttpResponse response = context_.answers.answer(request);
@@ -147,13 +155,14 @@ asio::awaitable<bool> HttpConnection::serve(HttpRequest request) {
   co_return false;
 }
 
-// In the order in which a request is judged: for whom, from whom, how much.
+// In the order in which a request is judged: for whom, what for, from whom, how much.
 std::optional<HttpResponse> HttpConnection::refusal_of(const HttpRequest& request) {
   const boost::beast::string_view host = request[http::field::host];
   if (!host_allowed({host.data(), host.size()}, context_.settings)) {
     return HttpAnswers::refusal(http::status::misdirected_request,
                                 allowed_hosts_in_words(context_.settings));
   }
+  if (auto refusal = refuse_method(request)) return refusal;
   if (context_.addresses.is_trusted(peer_)) {
     client_ = context_.addresses.of_request(peer_, forwarded_for(request));
     if (!place_->belongs_to(client_)) {

@@ -34,12 +34,6 @@ bool is_web_socket_request(const HttpRequest& request) {
 std::optional<HttpResponse> refuse_upgrade(const HttpRequest& request,
                                            const std::vector<std::string>& allowed_origins) {
   const std::string speaks = std::string("It speaks the subprotocol ") + kSubprotocol + ".";
-  if (request.method() != http::verb::get) {
-    HttpResponse response =
-        HttpAnswers::refusal(http::status::method_not_allowed, "A WebSocket begins with GET.");
-    response.set(http::field::allow, "GET");
-    return response;
-  }
   if (!websocket::is_upgrade(request)) {
     return upgrade_required("This path is a WebSocket (RFC 6455, version 13). " + speaks);
   }

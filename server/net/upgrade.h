@@ -15,7 +15,7 @@ inline constexpr const char* kWebSocketPath = "/ws";
 /// True for the path of the WebSocket, upgrade asked for or not.
 bool is_web_socket_request(const HttpRequest& request);
 
-/// The response that refuses the upgrade: 405 for another method, 426 where no upgrade or no
+/// The response that refuses the upgrade that a GET asks for: 426 where no upgrade or no
 /// subprotocol that we speak is asked for, 403 for a page of another origin. Nothing where the
 /// upgrade may go on.
 std::optional<HttpResponse> refuse_upgrade(const HttpRequest& request,

@@ -31,6 +31,10 @@ std::string get(const std::string& fields, const std::string& target = "/healthz
   return "GET " + target + " HTTP/1.1\r\n" + kHost + fields + "\r\n";
 }
 
+std::string post(const std::string& fields, const std::string& target = "/healthz") {
+  return "POST " + target + " HTTP/1.1\r\n" + kHost + fields + "\r\n";
+}
+
 std::string with_host(const std::string& host_lines, const std::string& version = "1.1") {
   return "GET /healthz HTTP/" + version + "\r\n" + host_lines + "\r\n";
 }
@@ -47,6 +51,7 @@ Statuses statuses_of(std::string_view answers) {
       break;
     }
     statuses.push_back(parser.get().result_int());
+    EXPECT_EQ(parser.get().result_int() == 405, !parser.get()["Allow"].empty()) << "(9110, 15.5.6)";
   }
   return statuses;
 }
@@ -167,6 +172,10 @@ TEST(HttpCorpus, Hosts) {
        with_host("Host: evil.example\r\nContent-Length: 9\r\n"),
        {421},
        Then::ends},
+      {"another's, POST with a body",
+       "POST /healthz HTTP/1.1\r\nHost: evil.example\r\nContent-Length: 5\r\n\r\nhello",
+       {421},
+       Then::ends},
       {"an absolute target (3.2.2)", get("", "http://localhost:80/healthz"), {200}, Then::goes_on},
       {"its host counts, not Host", get("", "http://evil.example/healthz"), {421}, Then::ends},
       {"and not Host",
@@ -186,10 +195,15 @@ TEST(HttpCorpus, Framing) {
   const std::string chunked = "Transfer-Encoding: chunked\r\n";
   expect_all({
       {"no bytes", get("Content-Length: 0\r\n"), {200}, Then::goes_on},
-      {"POST of no bytes",
-       "POST / HTTP/1.1\r\n" + kHost + "Content-Length: 0\r\n\r\n",
-       {405},
-       Then::goes_on},
+      {"POST of no bytes", post("Content-Length: 0\r\n"), {405}, Then::goes_on},
+      {"POST of some bytes", post("Content-Length: 5\r\n") + "hello", {405}, Then::ends},
+      {"POST of a request", post("Content-Length: 40\r\n") + smuggled, {405}, Then::ends},
+      {"POST of chunks", post(chunked) + "0\r\n\r\n" + smuggled, {405}, Then::ends},
+      {"POST where a WebSocket is", post("Content-Length: 1\r\n", "/ws") + "x", {405}, Then::ends},
+      {"POST of two lengths",
+       post("Content-Length: 0\r\nContent-Length: 40\r\n") + smuggled,
+       {400},
+       Then::ends},
       {"one byte", get("Content-Length: 1\r\n") + "x", {413}, Then::ends},
       {"a request for a body", get("Content-Length: 40\r\n") + smuggled, {413}, Then::ends},
       {"more than there is", get("Content-Length: 99999999999\r\n"), {413}, Then::ends},

@@ -181,7 +181,7 @@ TEST_F(HttpTest, AHeaderOrBodyThatIsTooLongIsRefused) {
   header.send("GET / HTTP/1.1\r\nHost: localhost\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n");
   EXPECT_TRUE(header.read_to_end().value().starts_with("HTTP/1.1 431 "));
   RawClient body(server.port());
-  body.send("POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 100000000\r\n\r\n");
+  body.send("GET / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 100000000\r\n\r\n");
   EXPECT_TRUE(body.read_to_end().value().starts_with("HTTP/1.1 413 "));
 }
 
