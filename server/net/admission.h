@@ -18,9 +18,10 @@
 namespace cutaway {
 
 /// A limited number of seats and, when all are taken, a limited queue for them. One address may
-/// have all of them while nobody else wants one. Its share (all of them divided by the addresses
-/// that have or want one) binds while others wait: what it wants beyond comes after them, and what
-/// it has beyond, it gives up to them. Thread-safe; outlives its tickets.
+/// have all seats while nobody else wants one. While others wait, its share binds it: all seats
+/// divided by the number of addresses that have or want one. Beyond its share it waits until the
+/// others are served, and the seats that it has beyond its share go to them. Thread-safe; outlives
+/// its tickets.
 class Admission {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

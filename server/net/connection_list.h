@@ -36,10 +36,11 @@ class ConnectionList {
   /// `per_address` 0: as many as there are.
   ConnectionList(int most, int per_address) : most_(most), per_address_(per_address) {}
 
-  /// When all are taken, one that waits for (the rest of) a request gives way: the one that has
-  /// waited longest, of the address that has the most. Where none waits, and the newcomer's address
-  /// has less than its share, another one gives way of an address that has more. Null where nobody
-  /// does, or the address has all that it may have.
+  /// When all places are taken, a connection that waits for a request (or the rest of one) gives
+  /// its place up. It is one of the address with the most connections, and of those the one that
+  /// has waited longest. When none waits, an address with more than its share gives one up to a
+  /// newcomer whose address has less. Null when nobody gives way, or when the newcomer's address
+  /// has all that it may have.
   std::unique_ptr<Place> add(std::weak_ptr<OpenConnection> connection,
                              const ClientAddress& address);
 

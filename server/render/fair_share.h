@@ -7,9 +7,9 @@
 
 namespace cutaway {
 
-/// Who has had least is next, so that who asks for large pictures gets as much of the device as who
-/// asks for small ones, and not more. Who was away has no claim to what he did not
-/// use. Not thread-safe.
+/// The one that has had least of the device is next. So a session gets as much of the device with
+/// large pictures as another with small ones. A session that was away does not catch up on what it
+/// did not use. Not thread-safe.
 class FairShare {
  public:
   /// Of those that wait (in the order in which they began to), the one to serve. `waiting` is

@@ -13,9 +13,9 @@
 
 namespace cutaway {
 
-/// At most one waiting job a view: the newest, in the place of the first; and the views that were
-/// released, so that who takes a job hears of every release that was asked for before it, and of
-/// none that came after. Thread-safe. `Job` has a member `view`.
+/// One job at most waits for each view: the newest, in the place that the first one had. The queue
+/// also keeps the releases of views: a job is taken together with every release that was asked for
+/// before it, and with none that came after. Thread-safe. `Job` has a member `view`.
 template <typename Job>
 class JobQueue {
  public:
