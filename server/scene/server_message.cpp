@@ -8,10 +8,6 @@
 
 namespace cutaway {
 
-NLOHMANN_JSON_SERIALIZE_ENUM(LoadStage, {{LoadStage::read, "read"},
-                                         {LoadStage::decode, "decode"},
-                                         {LoadStage::min_max, "min_max"},
-                                         {LoadStage::upload, "upload"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(LoadEnd, {{LoadEnd::ready, "ready"},
                                        {LoadEnd::cancelled, "cancelled"},
                                        {LoadEnd::failed, "failed"}})
@@ -60,7 +56,8 @@ Json volumes_message(const Json& listing) {
 }
 
 Json loading_message(const std::string& volume, LoadStage stage, double fraction) {
-  return {{"type", "loading"}, {"volume", volume}, {"stage", stage}, {"fraction", fraction}};
+  return {
+      {"type", "loading"}, {"volume", volume}, {"stage", name_of(stage)}, {"fraction", fraction}};
 }
 
 Json loading_message(const std::string& volume, LoadEnd end) {

@@ -1,6 +1,5 @@
 #include "import/isolation/worker_protocol.h"
 
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -9,11 +8,6 @@
 namespace cutaway::reading {
 
 namespace {
-
-constexpr std::array<std::pair<LoadStage, const char*>, 4> kStages{{{LoadStage::read, "read"},
-                                                                    {LoadStage::decode, "decode"},
-                                                                    {LoadStage::min_max, "min_max"},
-                                                                    {LoadStage::upload, "upload"}}};
 
 [[noreturn]] void refuse_report(const std::string& field) {
   throw Error({.code = ErrorCode::volume_refused,
@@ -188,13 +182,12 @@ VolumeHead volume_head_from(const Json& json) {
   return head;
 }
 
-Json progress_report(LoadStage stage, double fraction) {
-  return {kStages.at(static_cast<std::size_t>(stage)).second, fraction};
-}
+Json progress_report(LoadStage stage, double fraction) { return {name_of(stage), fraction}; }
 
 std::pair<LoadStage, double> progress_from(const Json& json) {
-  for (const auto& [stage, name] : kStages) {
-    if (json.at(0) == name) return {stage, finite_number(json.at(1))};
+  for (std::size_t stage = 0; stage < kLoadStageNames.size(); ++stage) {
+    if (json.at(0) != kLoadStageNames.at(stage)) continue;
+    return {static_cast<LoadStage>(stage), finite_number(json.at(1))};
   }
   refuse_report("stage");
 }
