@@ -52,7 +52,8 @@ void run_render(const RenderCommand& command) {
   for (const UnseenReason& reason : reasons_for_nothing(scene, facts))
     std::cerr << "cutaway render: " << in_words(reason) << '\n';
   const Picture picture =
-      render_once(command, {.volume = volume,
+      render_once(command, {.owner = "cutaway render",
+                            .volume = volume,
                             .scene = std::make_shared<const Scene>(scene),
                             .settings = {.picture_size_px = {size.width_px, size.height_px},
                                          .supersampling = command.supersampling,

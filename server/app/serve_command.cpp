@@ -43,7 +43,8 @@ class Serving {
 
  private:
   Server::Hooks hooks();
-  std::unique_ptr<Session> make_session(std::shared_ptr<Strand> strand, ClientSink& client);
+  std::unique_ptr<Session> make_session(const std::string& name, std::shared_ptr<Strand> strand,
+                                        ClientSink& client);
 
   SessionSettings session_settings_;
   std::shared_ptr<const std::string> capabilities_;
@@ -131,14 +132,17 @@ Serving::Serving(const Config& config)
 Server::Hooks Serving::hooks() {
   return {.sources = {.volumes = [this] { return volumes_->listing(); },
                       .trouble = [this] { return frames_->trouble(); }},
-          .make_session = [this](std::shared_ptr<Strand> strand, ClientSink& client) {
-            return make_session(std::move(strand), client);
+          .make_session = [this](const std::string& name, std::shared_ptr<Strand> strand,
+                                 ClientSink& client) {
+            return make_session(name, std::move(strand), client);
           }};
 }
 
-std::unique_ptr<Session> Serving::make_session(std::shared_ptr<Strand> strand, ClientSink& client) {
+std::unique_ptr<Session> Serving::make_session(const std::string& name,
+                                               std::shared_ptr<Strand> strand, ClientSink& client) {
   const std::uint64_t view = next_view_.fetch_add(kViews + 3);
-  return std::make_unique<Session>(SessionWiring{.strand = std::move(strand),
+  return std::make_unique<Session>(SessionWiring{.name = name,
+                                                 .strand = std::move(strand),
                                                  .frames = *frames_,
                                                  .volumes = *volumes_,
                                                  .client = client,

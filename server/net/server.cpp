@@ -34,11 +34,16 @@ Error cannot_listen(const NetSettings& settings, const std::string& why) {
                 .expected = "a free port on an address of this machine"});
 }
 
-void log_failure(const std::exception_ptr& failure) {
+asio::ip::address peer_of(const tcp::socket& socket) {
+  error_code none;
+  return socket.remote_endpoint(none).address();
+}
+
+void log_failure(const asio::ip::address& peer, const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
   } catch (const std::exception& error) {
-    log().error("a connection failed: {}", error.what());
+    log().error("a connection of {} failed: {}", peer.to_string(), error.what());
   }
 }
 
@@ -194,17 +199,20 @@ asio::awaitable<void> Server::Impl::keep_order() {
   }
 }
 
-void Server::Impl::begin_connection(tcp::socket&& socket, const AsioStrand::Executor& strand) try {
-  auto connection = std::make_shared<HttpConnection>(std::move(socket), strand, context_);
-  if (!connection->enter()) return;
-  asio::co_spawn(
-      strand, [connection] { return connection->run(); },
-      [this](const std::exception_ptr& failure) {
-        if (failure) log_failure(failure);
-        asio::post(strand_, [this] { all_ended(); });
-      });
-} catch (const std::exception& failure) {
-  log().error("a connection could not be begun: {}", failure.what());
+void Server::Impl::begin_connection(tcp::socket&& socket, const AsioStrand::Executor& strand) {
+  const asio::ip::address peer = peer_of(socket);
+  try {
+    auto connection = std::make_shared<HttpConnection>(std::move(socket), strand, context_);
+    if (!connection->enter()) return;
+    asio::co_spawn(
+        strand, [connection] { return connection->run(); },
+        [this, peer](const std::exception_ptr& failure) {
+          if (failure) log_failure(peer, failure);
+          asio::post(strand_, [this] { all_ended(); });
+        });
+  } catch (const std::exception& failure) {
+    log().error("a connection of {} could not be begun: {}", peer.to_string(), failure.what());
+  }
 }
 
 void Server::Impl::stop() {

@@ -167,7 +167,8 @@ asio::awaitable<void> WebSocket::serve_accepted() {
 void WebSocket::start_session() {
   try {
     session_ =
-        make_session_(std::make_shared<AsioStrand>(executor_,
+        make_session_(name_,
+                      std::make_shared<AsioStrand>(executor_,
                                                    [weak = weak_from_this()](const char* what) {
                                                      if (const auto self = weak.lock())
                                                        self->fail(what);

@@ -21,8 +21,9 @@
 
 namespace cutaway {
 
-using SessionFactory =
-    std::function<std::unique_ptr<Session>(std::shared_ptr<Strand>, ClientSink&)>;
+/// `name` is the session's, for the log.
+using SessionFactory = std::function<std::unique_ptr<Session>(
+    const std::string& name, std::shared_ptr<Strand> strand, ClientSink& client)>;
 
 /// Everything runs on the strand that the stream was accepted on. One read is always pending, one
 /// write at a time is; a write that the client does not take within its deadline, or texts that

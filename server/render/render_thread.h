@@ -25,6 +25,7 @@ namespace cutaway {
 struct RenderRequest {
   std::uint64_t view = 0;   ///< names the buffers kept between its jobs
   std::uint64_t share = 0;  ///< views of one share have as much of the device together as another
+  std::string owner;        ///< whose view it is, for the log
   std::shared_ptr<const LoadedVolume> volume;
   std::shared_ptr<const Scene> scene;
   RenderSettings settings;

@@ -26,10 +26,10 @@ Error no_memory() {
 }
 
 /// What the one who asked is told of an exception; the log has the rest.
-Error told(const std::exception& failure, std::uint64_t view) {
+Error told(const std::exception& failure, const RenderRequest& request) {
   if (const auto* error = dynamic_cast<const Error*>(&failure)) return *error;
   if (dynamic_cast<const std::bad_alloc*>(&failure) != nullptr) return no_memory();
-  log().error("view {} could not be drawn: {}", view, failure.what());
+  log().error("{}: view {} could not be drawn: {}", request.owner, request.view, failure.what());
   return Error({.code = ErrorCode::render_failed, .message = "the picture could not be drawn"});
 }
 
@@ -43,7 +43,8 @@ void hand_over(const RenderJob& job, RenderOutcome outcome) {
   try {
     job.done(std::move(outcome));
   } catch (const std::exception& failure) {
-    log().error("a frame of view {} was not taken: {}", job.view(), failure.what());
+    log().error("{}: a frame of view {} was not taken: {}", job.request.owner, job.view(),
+                failure.what());
   }
 }
 
@@ -135,7 +136,7 @@ bool RenderWorker::begin(RenderJob job) {
     return true;
   } catch (const std::exception& failure) {
     views_.unpin(request.view);
-    conclude(*commission, told(failure, request.view));
+    conclude(*commission, told(failure, request));
     return false;
   }
 }
@@ -161,7 +162,7 @@ void RenderWorker::step(Place drawing) {
     const bool goes_on = !commission.is_ended && ++drawing->part < commission.parts.count();
     if (goes_on) return plan_part(*drawing);
   } catch (const std::exception& failure) {
-    return end(drawing, told(failure, drawing->view()));
+    return end(drawing, told(failure, drawing->request()));
   }
   views_.unpin(drawing->view());
   drawing_.erase(drawing);
@@ -248,7 +249,7 @@ void RenderWorker::deliver(Pending& pending) {
     commission.parts.take(pending.part, {drawn.layout, drawn.picture_size_px, std::move(planes)});
     if (commission.parts.is_whole()) conclude(commission, frame_of(commission));
   } catch (const std::exception& failure) {
-    conclude(commission, told(failure, commission.job.view()));
+    conclude(commission, told(failure, commission.job.request));
   }
 }
 

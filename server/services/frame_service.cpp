@@ -69,7 +69,7 @@ Error volume_gone(const std::string& id) {
 
 /// Of a variant of what was made, FrameReplaced and Error.
 template <typename Outcome>
-Outcome outcome_of(const RenderOutcome& outcome) {
+Outcome outcome_of(const RenderOutcome& outcome, const std::string& session) {
   if (std::holds_alternative<RenderReplaced>(outcome)) return FrameReplaced{};
   if (const auto* error = std::get_if<Error>(&outcome)) return *error;
   using PictureFile = decltype(std::variant_alternative_t<0, Outcome>::picture);
@@ -78,18 +78,19 @@ Outcome outcome_of(const RenderOutcome& outcome) {
   } catch (const Error& error) {
     return error;
   } catch (const std::exception& failure) {
-    log().error("a picture could not be compressed: {}", failure.what());
+    log().error("{}: a picture could not be compressed: {}", session, failure.what());
     return Error(
         {.code = ErrorCode::render_failed, .message = "the picture could not be compressed"});
   }
 }
 
 template <typename Outcome>
-void hand_over(const RenderOutcome& outcome, const std::function<void(Outcome)>& done) {
+void hand_over(const RenderOutcome& outcome, const std::string& session,
+               const std::function<void(Outcome)>& done) {
   try {
-    done(outcome_of<Outcome>(outcome));
+    done(outcome_of<Outcome>(outcome, session));
   } catch (const std::exception& failure) {
-    log().error("a picture was not taken: {}", failure.what());
+    log().error("{}: a picture was not taken: {}", session, failure.what());
   }
 }
 
@@ -112,6 +113,7 @@ FrameService::~FrameService() {
 RenderRequest FrameService::render_request(const FrameRequest& request, PixelLayout layout) const {
   return {.view = request.view,
           .share = request.share,
+          .owner = request.session,
           .volume = find_volume_(request.scene->volume),
           .scene = request.scene,
           .settings = settings_for(request, layout),
@@ -132,32 +134,36 @@ RenderRequest FrameService::still_request(const FrameRequest& request) const {
 
 void FrameService::submit(FrameRequest request, std::function<void(FrameOutcome)> done) {
   RenderRequest live = live_request(request);
-  if (!live.volume) return end(volume_gone(request.scene->volume), std::move(done));
-  renderer_->submit({std::move(live), [this, done = std::move(done)](RenderOutcome outcome) {
-                       end(std::move(outcome), done);
-                     }});
+  if (!live.volume)
+    return end(volume_gone(request.scene->volume), request.session, std::move(done));
+  renderer_->submit(
+      {std::move(live), [this, session = request.session, done = std::move(done)](
+                            RenderOutcome outcome) { end(std::move(outcome), session, done); }});
 }
 
 void FrameService::submit_still(FrameRequest request, std::function<void(StillOutcome)> done) {
   RenderRequest still = still_request(request);
-  if (!still.volume) return end(volume_gone(request.scene->volume), std::move(done));
+  if (!still.volume)
+    return end(volume_gone(request.scene->volume), request.session, std::move(done));
   if (is_large(still)) {
     // Compressed on the thread that made it, where it keeps no live frame waiting.
-    large_stills_->add(std::move(still), [done = std::move(done)](const RenderOutcome& outcome) {
-      hand_over(outcome, done);
-    });
+    large_stills_->add(std::move(still),
+                       [session = request.session, done = std::move(done)](
+                           const RenderOutcome& outcome) { hand_over(outcome, session, done); });
     return;
   }
-  renderer_->submit({std::move(still), [this, done = std::move(done)](RenderOutcome outcome) {
-                       end(std::move(outcome), done);
-                     }});
+  renderer_->submit(
+      {std::move(still), [this, session = request.session, done = std::move(done)](
+                             RenderOutcome outcome) { end(std::move(outcome), session, done); }});
 }
 
 // Posted, since a newer request may be replacing this one inside its own submit.
 template <typename Outcome>
-void FrameService::end(RenderOutcome outcome, std::function<void(Outcome)> done) {
-  encoders_.post(
-      [outcome = std::move(outcome), done = std::move(done)] { hand_over(outcome, done); });
+void FrameService::end(RenderOutcome outcome, const std::string& session,
+                       std::function<void(Outcome)> done) {
+  encoders_.post([outcome = std::move(outcome), session, done = std::move(done)] {
+    hand_over(outcome, session, done);
+  });
 }
 
 bool FrameService::renew(const FrameRequest& request) {

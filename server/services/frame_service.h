@@ -40,7 +40,7 @@ class FrameService : public FrameSource {
   RenderRequest live_request(const FrameRequest& request) const;
   RenderRequest still_request(const FrameRequest& request) const;
   template <typename Outcome>
-  void end(RenderOutcome outcome, std::function<void(Outcome)> done);
+  void end(RenderOutcome outcome, const std::string& session, std::function<void(Outcome)> done);
 
   FindVolume find_volume_;
   WorkerPool encoders_;

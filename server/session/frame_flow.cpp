@@ -130,6 +130,7 @@ bool FrameFlow::ask(FrameKind kind) {
 FrameRequest FrameFlow::request(FrameKind kind) const {
   return {.view = wiring_.view.view,
           .share = wiring_.view.share,
+          .session = wiring_.view.session,
           .revision = newest_.revision,
           .scene = newest_.scene,
           .quality = kind == FrameKind::still ? quality_.still(newest_.scene->viewport)

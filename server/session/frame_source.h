@@ -33,6 +33,7 @@ struct FrameQuality {
 struct FrameRequest {
   std::uint64_t view = 0;   ///< names the state kept between frames
   std::uint64_t share = 0;  ///< the views of a session have one share of the renderer together
+  std::string session;      ///< its name, for the log
   std::uint32_t revision = 0;
   std::shared_ptr<const Scene> scene;
   FrameQuality quality;  ///< of a saved still its jpeg_quality and chroma mean nothing
@@ -56,10 +57,11 @@ using SavedStill = Made<PngPicture>;
 using FrameOutcome = std::variant<Frame, FrameReplaced, Error>;
 using StillOutcome = std::variant<SavedStill, FrameReplaced, Error>;
 
-/// The renderer's names for a view and for its session.
+/// The renderer's names for a view and for its session, and the log's for the session.
 struct RenderView {
   std::uint64_t view = 0;
   std::uint64_t share = 0;
+  std::string session;
 };
 
 /// For a picture that was asked for once, and was replaced or released.

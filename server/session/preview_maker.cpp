@@ -78,6 +78,7 @@ void PreviewMaker::render(const PreviewMessage& wish) {
     const SceneSnapshot shown = hooks_.scene(wish, other_.get());
     wiring_.source.submit({.view = wiring_.view.view,
                            .share = wiring_.view.share,
+                           .session = wiring_.view.session,
                            .revision = shown.revision,
                            .scene = shown.scene,
                            .quality = preview_quality()},

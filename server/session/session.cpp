@@ -64,7 +64,7 @@ Session::Session(SessionWiring wiring, const SessionSettings& settings)
 
 // The session's share goes by the name of its first view.
 RenderView Session::render_view(std::uint64_t view) const {
-  return {view, wiring_.live_views.front()};
+  return {view, wiring_.live_views.front(), wiring_.name};
 }
 
 PreviewMaker::Wiring Session::preview_wiring(std::uint64_t view) const {
@@ -120,7 +120,7 @@ Session::Reception Session::receive_text(std::string_view text) {
     if (too_fast) return refuse_too_fast();
     refuse(error, echo_of(text));
   } catch (const std::exception& failure) {
-    log().error("a client's message failed: {}", failure.what());
+    log().error("{}: a message failed: {}", wiring_.name, failure.what());
     refuse(Error({.code = ErrorCode::internal, .message = "the server failed at this message"}),
            echo_of(text));
   }

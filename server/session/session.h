@@ -26,6 +26,7 @@ namespace cutaway {
 
 /// What a session works with. The references outlive it.
 struct SessionWiring {
+  std::string name;  ///< for the log
   std::shared_ptr<Strand> strand;
   FrameSource& frames;
   VolumeLibrary& volumes;

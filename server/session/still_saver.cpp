@@ -8,7 +8,7 @@ StillSaver::StillSaver(std::shared_ptr<Strand> strand, FrameSource& source, Clie
                        RenderView view, std::function<void(std::uint32_t, const Error&)> failed)
     : source_(source),
       sink_(sink),
-      view_(view),
+      view_(std::move(view)),
       failed_(std::move(failed)),
       callbacks_(std::move(strand)) {}
 
@@ -34,6 +34,7 @@ void StillSaver::make_next() {
   waiting_.pop_front();
   source_.submit_still({.view = view_.view,
                         .share = view_.share,
+                        .session = view_.session,
                         .revision = next.shown.revision,
                         .scene = next.shown.scene,
                         .quality = next.quality},

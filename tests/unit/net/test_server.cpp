@@ -165,11 +165,13 @@ void TestServer::stop() {
 Server::Hooks TestServer::hooks(const SessionSettings& session) {
   return {.sources = {.volumes = [this] { return library.listing(); },
                       .trouble = [this] { return in_trouble ? "no GPU" : ""; }},
-          .make_session = [this, session](std::shared_ptr<Strand> strand, ClientSink& client) {
+          .make_session = [this, session](const std::string& name, std::shared_ptr<Strand> strand,
+                                          ClientSink& client) {
             if (refuse_sessions) throw std::bad_alloc();
             const std::uint64_t view = next_view_.fetch_add(7);
             return std::make_unique<Session>(
-                SessionWiring{.strand = std::move(strand),
+                SessionWiring{.name = name,
+                              .strand = std::move(strand),
                               .frames = frames,
                               .volumes = library,
                               .client = client,

@@ -12,6 +12,8 @@
 
 namespace cutaway::testing {
 
+inline constexpr const char* kSessionName = "session 1 of 192.0.2.7";
+
 class SessionFixture : public ::testing::Test {
  protected:
   SessionFixture() { restart(); }
@@ -21,7 +23,8 @@ class SessionFixture : public ::testing::Test {
     session = nullptr;
     client = {};
     session = std::make_unique<Session>(
-        SessionWiring{.strand = strand,
+        SessionWiring{.name = kSessionName,
+                      .strand = strand,
                       .frames = frames,
                       .volumes = library,
                       .client = client,

@@ -323,6 +323,18 @@ TEST_F(SessionTest, APreviewIsTheSceneInAnotherStyleWhichIsNotTakenUp) {
   EXPECT_TRUE(frames.idle()) << "the scene itself has not changed";
 }
 
+TEST_F(SessionTest, EachPictureIsAskedForInTheSessionsName) {
+  show_ball();
+  scene({{"lens", {{"radius_mm", 17.0}}}});
+  EXPECT_EQ(frames.finish().session, testing::kSessionName);
+  come_to_rest();
+  receive(save(1));
+  EXPECT_EQ(frames.finish().session, testing::kSessionName);
+  strand->run();
+  receive(preview(2, "toon"));
+  EXPECT_EQ(frames.finish().session, testing::kSessionName);
+}
+
 TEST_F(SessionTest, PreviewsAreMadeOneAfterTheOther) {
   show_ball();
   receive(preview(1, "flagship"));
