@@ -103,10 +103,9 @@ def sidecar():
 
 def frame(first, payload):
     """As a client sends it; the mask is 0."""
-    size = struct.pack(">BB", first, 0x80 | len(payload)) if len(payload) < 126 else struct.pack(
-        ">BBH", first, 0x80 | 126, len(payload)
-    )  # fmt: skip
-    return size + bytes(4) + payload
+    length = len(payload)
+    size = struct.pack(">B", 0x80 | length) if length < 126 else struct.pack(">BH", 0x80 | 126, length)
+    return bytes([first]) + size + bytes(4) + payload
 
 
 def frames():
