@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "import/data_root.h"
 #include "import/refusal.h"
@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kLargestHeaderBytes = std::size_t{4} << 20;
 constexpr std::size_t kLargestLineBytes = std::size_t{64} << 10;
+constexpr std::size_t kPieceBytes = std::size_t{16} << 10;
 constexpr std::int64_t kLargestFileCount = 32768;
 
 /// from_chars takes a minus but no plus.
@@ -99,24 +100,33 @@ std::optional<std::string> TextHeader::find(std::string_view name) const {
   return found->second;
 }
 
-HeaderLines::HeaderLines(const std::filesystem::path& file) {
-  std::ifstream input(file, std::ios::binary);
-  if (!input) refuse(file, "the file cannot be opened");
-  text_.resize(kLargestHeaderBytes);
-  input.read(text_.data(), static_cast<std::streamsize>(text_.size()));
-  text_.resize(static_cast<std::size_t>(input.gcount()));
-  if (text_.empty()) refuse(file, "the file is empty");
+HeaderLines::HeaderLines(const std::filesystem::path& file) : input_(file, std::ios::binary) {
+  if (!input_) refuse(file, "the file cannot be opened");
+  if (!read_on()) refuse(file, "the file is empty");
 }
 
 std::optional<std::string> HeaderLines::next() {
-  if (position_ >= text_.size()) return std::nullopt;
-  const std::size_t end = text_.find('\n', position_);
-  const std::size_t stop = end == std::string::npos ? text_.size() : end;
-  if (stop - position_ > kLargestLineBytes) return std::nullopt;
-  std::string line = text_.substr(position_, stop - position_);
-  position_ = end == std::string::npos ? text_.size() : end + 1;
+  std::size_t end = ahead_.find('\n', taken_);
+  while (end == std::string::npos && read_on()) end = ahead_.find('\n', taken_);
+  const std::size_t stop = std::min(end, ahead_.size());
+  if (taken_ >= ahead_.size() || stop - taken_ > kLargestLineBytes) return std::nullopt;
+  std::string line = ahead_.substr(taken_, stop - taken_);
+  const std::size_t after = std::min(stop + 1, ahead_.size());
+  position_ += after - std::exchange(taken_, after);
   if (!line.empty() && line.back() == '\r') line.pop_back();
   return line;
+}
+
+// Voxels may follow the header: of them no more is read than lies in its last piece.
+bool HeaderLines::read_on() {
+  ahead_.erase(0, std::exchange(taken_, 0));
+  if (ahead_.size() > kLargestLineBytes) return false;
+  const std::size_t before = ahead_.size();
+  const std::size_t left = kLargestHeaderBytes - static_cast<std::size_t>(position_) - before;
+  ahead_.resize(before + std::min(kPieceBytes, left));
+  input_.read(ahead_.data() + before, static_cast<std::streamsize>(ahead_.size() - before));
+  ahead_.resize(before + static_cast<std::size_t>(input_.gcount()));
+  return ahead_.size() > before;
 }
 
 std::vector<std::string> words_of(std::string_view text) {

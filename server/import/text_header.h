@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <string>
@@ -31,8 +32,12 @@ class HeaderLines {
   std::uint64_t position() const { return position_; }
 
  private:
-  std::string text_;
-  std::uint64_t position_ = 0;
+  bool read_on();
+
+  std::ifstream input_;
+  std::string ahead_;           ///< read, from before `position_` on
+  std::size_t taken_ = 0;       ///< of `ahead_`
+  std::uint64_t position_ = 0;  ///< in the file
 };
 
 /// Words parted by blanks. Numbers that are none give NaN, so that a check sees them.

@@ -1,7 +1,7 @@
 #include "fuzz/json_mutator.h"
 
-#include <nlohmann/json.hpp>
-#include <random>
+#include <string>
+#include <string_view>
 #include <vector>
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
@@ -12,11 +12,6 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 namespace cutaway::fuzz {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-using Generator = std::minstd_rand;
-
-std::size_t below(Generator& generator, std::size_t limit) { return generator() % limit; }
 
 /// Every place of the document, itself first.
 void collect(Json& place, std::vector<Json*>& places) {
@@ -57,10 +52,7 @@ void change_members(Json& place, Json other, Generator& generator) {
 
 }  // namespace
 
-std::string mutated_json(std::string_view text, unsigned seed) {
-  Json document = Json::parse(text, nullptr, false);
-  if (document.is_discarded()) return std::string(text);
-  Generator generator(seed + 1);
+void change_anywhere(Json& document, Generator& generator) {
   std::vector<Json*> places;
   collect(document, places);
   Json& place = *places[below(generator, places.size())];
@@ -72,8 +64,20 @@ std::string mutated_json(std::string_view text, unsigned seed) {
   } else {
     place = below(generator, 4) == 0 ? other : edge_value(generator);
   }
+}
+
+namespace {
+
+/// Text that is not JSON comes back as it is.
+std::string mutated(std::string_view text, unsigned seed) {
+  Json document = Json::parse(text, nullptr, false);
+  if (document.is_discarded()) return std::string(text);
+  Generator generator(seed + 1);
+  change(document, generator);
   return document.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
+
+}  // namespace
 
 }  // namespace cutaway::fuzz
 
@@ -82,7 +86,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
                                     unsigned seed) {
   if (seed % 16 == 0) return LLVMFuzzerMutate(data, size, most);
   const std::string text =
-      cutaway::fuzz::mutated_json({reinterpret_cast<const char*>(data), size}, seed / 16);
+      cutaway::fuzz::mutated({reinterpret_cast<const char*>(data), size}, seed / 16);
   if (text.size() > most || std::equal(text.begin(), text.end(), data, data + size)) {
     return LLVMFuzzerMutate(data, size, most);
   }

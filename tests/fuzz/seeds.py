@@ -101,6 +101,24 @@ def sidecar():
     return {"full.json": json.dumps(full).encode(), "spacing.json": b'{"spacing_mm": [1, 1, 1]}'}
 
 
+def frame(first, payload):
+    """As a client sends it; the mask is 0."""
+    length = len(payload)
+    size = struct.pack(">B", 0x80 | length) if length < 126 else struct.pack(">BH", 0x80 | 126, length)
+    return bytes([first]) + size + bytes(4) + payload
+
+
+def frames():
+    size = {"type": "viewport", "input": 1, "clock_ms": 1, "width_px": 64, "height_px": 48}
+    scene = {"type": "scene", "input": 2, "clock_ms": 2, "scene": {"volume": "ball"}}
+    goodbye = frame(0x88, struct.pack(">H", 1000))
+    return {
+        "session": frame(0x81, b"{}\n") + goodbye,
+        "pieces": frame(0x01, b'{"type"') + frame(0x89, b"ping") + frame(0x80, b":0}") + frame(0x82, b"\x01") + goodbye,
+        "ball": frame(0x81, json.dumps(size).encode()) + frame(0x81, json.dumps(scene).encode()) + frame(0x8A, b""),
+    }
+
+
 def http():
     upgrade = (
         "GET /ws HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
@@ -114,8 +132,7 @@ def http():
         "post": b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 4\r\n\r\nbody",
         "chunks": b"PUT / HTTP/1.1\r\nHost: 127.0.0.1\r\nTransfer-Encoding: chunked\r\n\r\n2;a=b\r\nok\r\n0\r\nT: u\r\n\r\n",
         "upgrade": upgrade.encode(),
-        "session": upgrade.encode() + b"\x81\x83\0\0\0\0{}\n" + b"\x88\x82\0\0\0\0\x03\xe8",
-    }
+    } | {name: upgrade.encode() + said for name, said in frames().items()}
 
 
 MADE = {"nifti": nifti, "nrrd": nrrd, "metaimage": metaimage, "tiff": tiff, "dicom": dicom, "sidecar": sidecar,

@@ -4,6 +4,7 @@
 #include "core/check.h"
 #include "core/error.h"
 #include "fuzz/input_file.h"
+#include "fuzz/json_mutator.h"
 #include "fuzz/planted_fault.h"
 #include "import/pictures/sidecar.h"
 
@@ -20,6 +21,10 @@ void judge(const reading::Sidecar& sidecar) {
 }
 
 }  // namespace
+
+void cutaway::fuzz::change(Json& document, Generator& generator) {
+  change_anywhere(document, generator);
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::InputFile file(reading::kSidecarName);
