@@ -15,9 +15,6 @@ namespace {
 /// Neighbouring rays meet a surface that the lens cuts within about so many voxels of each other.
 constexpr double kRimVoxels = 2.0;
 
-/// Above every stored value: NO_UPPER_LIMIT of shaders/bands.glsl.
-constexpr float kNoUpperLimit = 3e38F;
-
 /// See shaders/branches.glsl: the ray left the volume.
 constexpr glm::vec4 kNothingMet(0.0F, 0.0F, 0.0F, -1.0F);
 constexpr glm::vec4 kNoLayer(0.0F);
@@ -34,7 +31,7 @@ const char* mode_name(LensMode mode) {
 }
 
 void set_lens(const gl::Program& program, const Lens& lens) {
-  program.set("flat_caps", lens.cap == LensCap::flat ? 1 : 0);
+  program.set("flat_caps", lens.cap == LensCap::flat || lens.cap == LensCap::section ? 1 : 0);
   program.set("open_caps", lens.cap == LensCap::open ? 1 : 0);
   set_lens_body(program, lens);
 }
@@ -43,9 +40,9 @@ void set_bands(const gl::Program& program, const RayCastKey& key, const GpuVolum
   glm::vec2 lower;
   glm::vec2 upper;
   for (int i = 0; i < static_cast<int>(kBranches); ++i) {
-    const ValueBand& band = key.surfaces[i].band;
-    lower[i] = volume.to_stored(band.lower);
-    upper[i] = band.has_upper_end() ? volume.to_stored(band.upper) : kNoUpperLimit;
+    const glm::vec2 band = volume.to_stored(key.surfaces[i].band);
+    lower[i] = band.x;
+    upper[i] = band.y;
   }
   program.set("lower_limits", lower);
   program.set("upper_limits", upper);

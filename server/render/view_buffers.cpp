@@ -12,6 +12,7 @@ constexpr GLenum kSurfaceFormat = GL_RGBA32F;
 constexpr GLenum kLayersFormat = GL_RGBA32F;
 constexpr GLenum kColourFormat = GL_RGBA16F;
 constexpr GLenum kSilhouetteFormat = GL_R8;
+constexpr GLenum kReachFormat = GL_RG16F;
 constexpr GLenum kPictureFormat = GL_RGBA8;
 constexpr GLenum kPlaneFormat = GL_R8;
 constexpr GLenum kSumsFormat = GL_RGBA32F;
@@ -86,7 +87,8 @@ std::uint64_t ViewBuffers::bytes() const {
                       luma.texture.bytes() + cb.bytes() + cr.bytes() + sums_.colour_sums.bytes() +
                       sums_.square_sums.bytes() + sums_.windows.bytes();
   for (const BranchBuffers& branch : branches) {
-    sum += branch.surface.bytes() + branch.layers.bytes() + branch.shaded.bytes() +
+    sum += branch.calmed.bytes() + branch.reach_raw.texture.bytes() + branch.reach.texture.bytes() +
+           branch.surface.bytes() + branch.layers.bytes() + branch.shaded.bytes() +
            branch.silhouette.bytes();
     for (const ColourTarget& target : branch.filtered) sum += target.texture.bytes();
   }
@@ -106,6 +108,20 @@ void ViewBuffers::prepare_layers() {
   layers_target = gl::Framebuffer({&branches[kContext].surface, &branches[kFocus].surface,
                                    &branches[kContext].layers, &branches[kFocus].layers},
                                   &entry_depth);
+}
+
+void ViewBuffers::prepare_calmed(BranchIndex branch) {
+  BranchBuffers& buffers = branches[branch];
+  if (buffers.calmed.name() != 0) return;
+  buffers.calmed = gl::Texture2D(kSurfaceFormat, surface_size_px(), gl::Filtering::nearest);
+  buffers.calmed_target = gl::Framebuffer({&buffers.calmed}, &entry_depth);
+}
+
+void ViewBuffers::prepare_reach(BranchIndex branch) {
+  BranchBuffers& buffers = branches[branch];
+  if (buffers.reach.texture.name() != 0) return;
+  for (ColourTarget* target : {&buffers.reach_raw, &buffers.reach})
+    *target = colour_target(kReachFormat, picture_size_px_, picture_depth());
 }
 
 void ViewBuffers::prepare_planes(PixelLayout layout) {
@@ -139,6 +155,16 @@ std::uint64_t branch_bytes(const BufferNeeds& needs) {
   return sum;
 }
 
+std::uint64_t light_bytes(const BufferNeeds& needs) {
+  std::uint64_t sum = 0;
+  for (std::size_t branch = 0; branch < kBranches; ++branch) {
+    if (needs.calmed[branch])
+      sum += bytes(kSurfaceFormat, needs.picture_size_px * needs.supersampling);
+    if (needs.reach[branch]) sum += 2 * bytes(kReachFormat, needs.picture_size_px);
+  }
+  return sum;
+}
+
 std::uint64_t sums_bytes(const BufferNeeds& needs) {
   if (needs.reach_px == 0) return 0;
   const glm::ivec2 rows_px = rows_size_px(needs.picture_size_px, needs.reach_px);
@@ -159,7 +185,7 @@ std::uint64_t plane_bytes(const BufferNeeds& needs) {
 std::uint64_t bytes_for(const BufferNeeds& needs) {
   const std::uint64_t picture = bytes(kPictureFormat, needs.picture_size_px) + plane_bytes(needs);
   if (!needs.casts_rays) return picture;
-  return picture + ray_bytes(needs) + branch_bytes(needs) + sums_bytes(needs);
+  return picture + ray_bytes(needs) + branch_bytes(needs) + light_bytes(needs) + sums_bytes(needs);
 }
 
 int longest_side_px(const BufferNeeds& needs) {

@@ -40,10 +40,14 @@ FilterSums filter_sums(glm::ivec2 picture_size_px, int reach_px);
 
 struct BranchBuffers {
   gl::Texture2D surface;     ///< RGBA32F, see shaders/branches.glsl
+  gl::Texture2D calmed;      ///< the same with normals at a scale; not there where nobody asks
+  ColourTarget reach_raw;    ///< RG16F, of light; a texel a pixel, see shaders/light_reach.frag
+  ColourTarget reach;        ///< RG16F, the same without its pattern
   gl::Texture2D layers;      ///< RGBA32F, of translucent material: premultiplied colour, opacity
   gl::Texture2D shaded;      ///< RGBA16F: display-encoded colour, coverage
   gl::Texture2D silhouette;  ///< R8: coverage as if no lens had taken anything away
   gl::Framebuffer shade_target;
+  gl::Framebuffer calmed_target;
   std::deque<ColourTarget>
       filtered;  ///< one for each filter, kept so that an unchanged one need not run again
 };
@@ -56,6 +60,8 @@ struct BufferNeeds {
   bool casts_rays = true;
   bool is_translucent = false;
   std::array<std::size_t, kBranches> filters{};
+  std::array<bool, kBranches> calmed{};
+  std::array<bool, kBranches> reach{};
   int reach_px = 0;  ///< of filters' sums; 0: nobody needs them
 };
 
@@ -86,6 +92,9 @@ class ViewBuffers {
   const FilterSums& sums() const { return sums_; }
   /// Makes sure that both branches' layers and their target exist.
   void prepare_layers();
+  /// Makes sure that there is room for a branch's normals at a scale, or for the light's reach.
+  void prepare_calmed(BranchIndex branch);
+  void prepare_reach(BranchIndex branch);
   /// Makes sure that the planes of `layout` exist.
   void prepare_planes(PixelLayout layout);
 

@@ -18,6 +18,7 @@ struct Hit {
   int branch;
   float distance_mm;  // NO_HIT where there is no surface
   vec3 normal;
+  bool is_cut;  // a face of the lens or of the volume's box
 };
 
 // Two neighbouring samples; the surface is between them. Without a surface `far_mm` is NO_HIT.
@@ -174,5 +175,5 @@ Hit search_surface(Ray ray, Course course, int first, int last) {
   bool is_hit = distance_mm != NO_HIT;
   vec3 face = bracket.is_cut ? face_at_begin(ray, course, distance_mm) : vec3(0.0);
   vec3 normal = normal_towards_viewer(position_along(ray, distance_mm), ray.direction, is_hit && face == vec3(0.0));
-  return Hit(bracket.branch, distance_mm, face == vec3(0.0) ? normal : face);
+  return Hit(bracket.branch, distance_mm, face == vec3(0.0) ? normal : face, face != vec3(0.0));
 }

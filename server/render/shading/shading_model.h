@@ -7,7 +7,8 @@
 namespace cutaway {
 
 /// One registry entry. `shader` is a GLSL file that defines `vec3 shade_NAME(int branch, vec3
-/// normal, vec3 to_viewer)` over `light_direction` and over `uniform STRUCT NAME[2]`, its
+/// normal, vec3 to_viewer, float
+/// light_share)`, `light_share` being the share of the light that no shadow takes, over `light_direction` and over `uniform STRUCT NAME[2]`, its
 /// parameters by branch; `set_parameters` fills one of the two from the module's parameters
 /// (checked and complete, as their schema entry says).
 struct ShadingModel {

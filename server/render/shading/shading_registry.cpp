@@ -9,9 +9,10 @@ namespace cutaway {
 extern const ShadingModel kToneShading;
 extern const ShadingModel kGoochShading;
 extern const ShadingModel kPhongShading;
+extern const ShadingModel kRampShading;
 
 std::span<const ShadingModel> shading_models() {
-  static const ShadingModel models[] = {kToneShading, kGoochShading, kPhongShading};
+  static const ShadingModel models[] = {kToneShading, kGoochShading, kPhongShading, kRampShading};
   return models;
 }
 
@@ -34,7 +35,7 @@ std::string shading_models_glsl() {
   for (const ShadingModel& model : shading_models()) {
     text += "#include \"" + std::string(model.shader) + "\"\n";
     cases += "    case " + std::to_string(number++) + ": return shade_" + model.name +
-             "(branch, normal, to_viewer);\n";
+             "(branch, normal, to_viewer, 1.0);\n";
   }
   return text + "uniform int shading_model[2];  // by branch\n" +
          "vec3 shade(int branch, vec3 normal, vec3 to_viewer) {\n" +

@@ -20,7 +20,7 @@ float ramp_position(Tone tone, float cosine) {
 
 float stitched(float detail, float u) { return u < 0.5 ? detail * u : 1.0 - detail * (1.0 - u); }
 
-vec3 shade_tone(int branch, vec3 normal, vec3 to_viewer) {
-  float u = ramp_position(tone[branch], dot(normal, light_direction));
+vec3 shade_tone(int branch, vec3 normal, vec3 to_viewer, float light_share) {
+  float u = ramp_position(tone[branch], dot(normal, light_direction)) * light_share;
   return mix(tone[branch].dark, tone[branch].light, stitched(tone[branch].detail, u));
 }
