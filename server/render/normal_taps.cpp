@@ -10,6 +10,10 @@ namespace {
 
 /// In voxels of the plane, for the context: calm enough that 3 mm CT has no grain.
 constexpr double kCalmVoxels = 2.5;
+/// In the largest spacing, against terraces; and no more than the coarsest copy can serve.
+constexpr double kCalmSlices = 1.5;
+constexpr double kWidestVoxels = 12.0;
+constexpr double kFocusShare = 0.5;
 
 /// Along an axis the Gaussian is at least so many voxels wide, or its samples would not form one.
 constexpr double kLeastVoxels = 0.8;
@@ -87,8 +91,12 @@ double weight_of(const Shell& shell) {
 
 double normal_scale_mm(const Normals& normals, bool is_focus, const VolumeGeometry& geometry) {
   if (normals.scale == NormalScale::fixed) return normals.scale_mm;
-  const double in_plane_mm = std::max(geometry.spacing_mm.x, geometry.spacing_mm.y);
-  return kCalmVoxels * in_plane_mm * (is_focus ? 0.5 : 1.0);
+  const glm::dvec3 spacing_mm = geometry.spacing_mm;
+  const double calm_mm =
+      std::max(kCalmVoxels * std::max(spacing_mm.x, spacing_mm.y),
+               kCalmSlices * std::max({spacing_mm.x, spacing_mm.y, spacing_mm.z}));
+  return std::min(is_focus ? kFocusShare * calm_mm : calm_mm,
+                  kWidestVoxels * smallest_spacing_mm(geometry));
 }
 
 NormalTaps normal_taps(double scale_mm, const VolumeGeometry& geometry,

@@ -30,6 +30,8 @@ struct LightQuality {
 };
 inline constexpr int kMostLightDirections = 64;
 inline constexpr LightQuality kNoLight{0, 0, 0, 0};
+inline constexpr LightQuality kQuickLight{4, 8, 1, 12};
+inline constexpr LightQuality kFullLight;
 
 struct RenderSettings {
   glm::ivec2 picture_size_px{0};

@@ -88,6 +88,8 @@ struct Branch {
 };
 
 enum class LensMode { none, cutaway, magic };
+/// Whether the cutaway goes on towards the eye.
+enum class LensOpening { closed, funnel };
 enum class LensCap { flat, gradient, open, section };
 
 /// Of the cavity that the cutaway's lens makes.
@@ -105,6 +107,8 @@ struct Lens {
   Module shape;
   glm::dvec3 centre_mm{0.0};
   double radius_mm = 0.0;
+  LensOpening opening = LensOpening::closed;
+  double funnel_degrees = 0.0;  ///< by how much its side leans away from the axis
   LensCap cap = LensCap::flat;
   Wall wall;
   double strength = 0.0;  ///< magic: the focus' share in the middle, 0..1

@@ -14,6 +14,8 @@ NLOHMANN_JSON_SERIALIZE_ENUM(LensCap, {{LensCap::flat, "flat"},
                                        {LensCap::gradient, "gradient"},
                                        {LensCap::open, "open"},
                                        {LensCap::section, "section"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(LensOpening,
+                             {{LensOpening::closed, "closed"}, {LensOpening::funnel, "funnel"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(NormalScale,
                              {{NormalScale::fixed, "fixed"}, {NormalScale::automatic, "auto"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Reconstruction,

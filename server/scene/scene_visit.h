@@ -76,6 +76,8 @@ void visit_fields(MaybeConst<Lens> auto& lens, const auto& visit) {
   visit("shape", lens.shape);
   visit("centre_mm", lens.centre_mm);
   visit("radius_mm", lens.radius_mm);
+  visit("opening", lens.opening);
+  visit("funnel_degrees", lens.funnel_degrees);
   visit("cap", lens.cap);
   visit("wall", lens.wall);
   visit("strength", lens.strength);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/loaded_facts.h"
 #include "scene/resolve.h"
@@ -57,7 +58,8 @@ int reach_of_filters(const Branch& branch) {
 
 /// As branches.glsl marks it.
 bool is_behind_lens(const glm::vec4& surface) {
-  return glm::dot(glm::vec3(surface), glm::vec3(surface)) > 2.0F;
+  const int length = static_cast<int>(std::lround(glm::length(glm::vec3(surface))));
+  return length == 2 || length == 4;  // see shaders/branches.glsl
 }
 
 /// The pixels with a ray that meets a branch on one side only: it grazes a surface or an edge, and

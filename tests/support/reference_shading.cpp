@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/colour.h"
+
 namespace cutaway::reference {
 
 namespace {
@@ -58,6 +60,20 @@ glm::dvec3 gooch(const Json& parameters, double cosine) {
   return glm::clamp(glm::mix(cool, warm, std::clamp((1.0 + cosine) / 2.0, 0.0, 1.0)), 0.0, 1.0);
 }
 
+/// A smooth step of the half-Lambert term's power mixed in, then along the six colours.
+glm::dvec3 ramp(const Json& parameters, double cosine) {
+  const auto value = [&](const char* name) { return parameters.at(name).get<double>(); };
+  const double term = std::pow(std::clamp(0.5 + 0.5 * cosine, 0.0, 1.0), value("gamma"));
+  const double begin = value("step_at") - value("step_width") / 2.0;
+  const double along = std::clamp((term - begin) / value("step_width"), 0.0, 1.0);
+  const double stepped = along * along * (3.0 - 2.0 * along);
+  const double at = 5.0 * (term + value("step") * (stepped - term));
+  const char* const names[] = {"deepest", "deep", "middle", "light", "lighter", "lightest"};
+  const int below = std::min(static_cast<int>(at), 4);
+  return mix_colours(colour(parameters, names[below]), colour(parameters, names[below + 1]),
+                     at - below);
+}
+
 }  // namespace
 
 double tone_position(double u, double detail) {
@@ -68,6 +84,7 @@ glm::dvec3 shade(const Module& shading, glm::dvec3 normal, glm::dvec3 to_light,
                  glm::dvec3 to_viewer) {
   if (shading.name == "tone") return tone(shading.parameters, glm::dot(normal, to_light));
   if (shading.name == "gooch") return gooch(shading.parameters, glm::dot(normal, to_light));
+  if (shading.name == "ramp") return ramp(shading.parameters, glm::dot(normal, to_light));
   if (shading.name == "phong") return phong(shading.parameters, normal, to_light, to_viewer);
   throw std::logic_error("the reference has no shading model " + shading.name);
 }

@@ -12,6 +12,7 @@
 #include "volume.glsl"
 #include "coarse_volume.glsl"
 #include "lens.glsl"
+#include "funnel.glsl"
 
 uniform sampler2D surface_texture;
 uniform int supersampling;
@@ -45,6 +46,8 @@ bool is_in_band(int branch, float value) { return value > bands[branch].x && val
 struct LightRay {
   vec3 origin;
   vec3 per_mm;
+  vec3 origin_mm;
+  vec3 direction;
   vec3 body_origin;
   vec3 body_per_mm;
 };
@@ -54,6 +57,8 @@ LightRay light_ray(vec3 position_mm, vec3 position, vec3 direction) {
   ray.origin = position;
   ray.per_mm = patient_to_volume * direction;
 #if CUTAWAY
+  ray.origin_mm = position_mm;
+  ray.direction = direction;
   ray.body_origin = body_from_patient * (position_mm - lens_centre_mm);
   ray.body_per_mm = body_from_patient * direction;
 #endif
@@ -65,7 +70,8 @@ bool is_blocked(LightRay ray, float at_mm) {
   float value = coarse_value(ray.origin + at_mm * ray.per_mm);
 #if CUTAWAY
   bool in_lens = unit_gauge(ray.body_origin + at_mm * ray.body_per_mm) < 1.0;
-  return is_in_band(in_lens ? FOCUS : CONTEXT, value);
+  bool is_open = !in_lens && is_in_funnel(ray.origin_mm + at_mm * ray.direction);
+  return !is_open && is_in_band(in_lens ? FOCUS : CONTEXT, value);
 #else
   return is_in_band(BRANCH, value);
 #endif

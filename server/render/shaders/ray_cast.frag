@@ -9,6 +9,7 @@
 #include "empty_space.glsl"
 #include "bands.glsl"
 #include "lens.glsl"
+#include "funnel.glsl"
 #include "lens_cut.glsl"
 #include "surface_search.glsl"
 

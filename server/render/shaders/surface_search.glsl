@@ -132,7 +132,11 @@ Bracket bracket_surface(Ray ray, Course course, int part, int last) {
 
 // Whether the context is met only where the lens has taken it away: no outline of the anatomy either.
 bool is_context_in_lens(Ray ray, Course course, bool is_asked) {
-  Course lens = outside_lens(is_asked ? course.lens_mm : vec2(0.0));
+  bool is_opened = course.funnel_end_mm > course.volume_mm.x;
+  bool crosses_lens = course.lens_mm.y > course.lens_mm.x;
+  vec2 removed_mm = is_opened ? vec2(course.volume_mm.x, max(crosses_lens ? course.lens_mm.y : 0.0, course.funnel_end_mm))
+                              : course.lens_mm;
+  Course lens = outside_lens(is_asked ? removed_mm : vec2(0.0));
   return bracket_surface(ray, lens, BEFORE_LENS, BEFORE_LENS).far_mm != NO_HIT;
 }
 
