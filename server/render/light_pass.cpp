@@ -91,7 +91,9 @@ void LightPass::march(const LightKey& key, BranchIndex index, const GpuVolume& v
   program.set("shadow_range_mm", key.shadow_range_mm);
   program.set("light_direction", key.light_direction);
   set_view_rays(program, key.rays);
-  if (!body_of(key).empty()) set_lens_body(program, key.lens);
+  if (body_of(key).empty()) return;
+  set_lens_body(program, key.lens);
+  set_funnel(program, key.funnel);
 }
 
 void LightPass::blur(const LightKey& key, const BranchBuffers& branch, const gl::Texture2D& surface,

@@ -9,6 +9,7 @@
 #include "render/gpu_volume.h"
 #include "render/view_buffers.h"
 #include "render/view_rays.h"
+#include "scene/lenses/funnel.h"
 #include "scene/scene.h"
 
 namespace cutaway {
@@ -19,7 +20,8 @@ struct LightKey {
   ViewRays rays{};
   std::array<ValueBand, kBranches> bands;  ///< what is in the way
   Lens lens;                               ///< mode, shape and place alone
-  glm::vec3 light_direction{0.0F};         ///< unit, towards the light, patient space
+  std::optional<Funnel> funnel;
+  glm::vec3 light_direction{0.0F};  ///< unit, towards the light, patient space
   float start_mm = 0.0F;
   float range_mm = 0.0F;
   float near_share = 0.0F;

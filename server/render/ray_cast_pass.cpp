@@ -103,7 +103,7 @@ void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, const ViewBuffer
                       const gl::PixelRect& strip, const gl::PixelRect& lens,
                       const gl::FullscreenTriangle& triangle) const {
   const LensMode mode = key.lens.radius_mm > 0.0 ? key.lens.mode : LensMode::none;
-  const bool is_local = mode == LensMode::cutaway;
+  const bool is_local = mode == LensMode::cutaway && !key.funnel;
   const gl::PixelRect within = is_local ? common_part(strip, lens) : strip;
   if (!within.is_empty())
     draw(entry_for(mode, key.lens), key, volume, buffers, {{within}}, triangle);
@@ -125,6 +125,7 @@ void RayCastPass::draw(const Entry& entry, const RayCastKey& key, GpuVolume& vol
   program.set("pixel_size", 2.0F * glm::length(key.rays.view_up) / key.rays.whole_px.y);
   set_search(program, key, volume);
   set_lens(program, key.lens);
+  set_funnel(program, key.funnel);
   if (key.is_translucent()) set_lit_shadings(program, key);
   const gl::DepthTest test(gl::DepthTest::over_drawn);
   for (const gl::PixelRect& part : parts) {
