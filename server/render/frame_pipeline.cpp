@@ -340,6 +340,14 @@ std::vector<glm::vec4> FramePipeline::read_surface(const ViewState& view, Branch
   return texels_of(view.buffers_->branches[branch].surface);
 }
 
+std::vector<glm::vec4> FramePipeline::read_calmed(const ViewState& view, BranchIndex branch) {
+  return texels_of(view.buffers_->branches[branch].calmed);
+}
+
+std::vector<glm::vec4> FramePipeline::read_reach(const ViewState& view, BranchIndex branch) {
+  return texels_of(view.buffers_->branches[branch].reach.texture);
+}
+
 std::vector<glm::vec4> FramePipeline::read_layers(const ViewState& view, BranchIndex branch) {
   return texels_of(view.buffers_->branches[branch].layers);
 }

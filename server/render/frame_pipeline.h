@@ -92,6 +92,10 @@ class FramePipeline {
   /// supersampled rays.
   static std::vector<glm::vec4> read_surface(const ViewState& view, BranchIndex branch);
   static glm::ivec2 surface_size_px(const ViewState& view);
+  /// The same with normals at a scale, where the branch asked for them.
+  static std::vector<glm::vec4> read_calmed(const ViewState& view, BranchIndex branch);
+  /// How much light comes to each pixel of a branch: x ambient, y direct. Of the picture's size.
+  static std::vector<glm::vec4> read_reach(const ViewState& view, BranchIndex branch);
   /// The same for the layers of translucent material: premultiplied colour and opacity.
   static std::vector<glm::vec4> read_layers(const ViewState& view, BranchIndex branch);
 
