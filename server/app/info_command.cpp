@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// What is printed of a volume: everything but its voxels.
 struct Facts {
@@ -48,7 +48,7 @@ std::array<int, 3> extents(const Facts& facts) {
   return {size.x, size.y, size.z};
 }
 
-Json to_json(const Facts& facts) {
+OrderedJson to_json(const Facts& facts) {
   const VolumeDescription& description = facts.description;
   return {{"id", description.id},
           {"title", description.title},
@@ -64,12 +64,12 @@ Json to_json(const Facts& facts) {
 }
 
 void print_json(const Report& report, std::ostream& out) {
-  Json document = {{"volumes", Json::array()}, {"refused", Json::array()}};
+  OrderedJson document = {{"volumes", OrderedJson::array()}, {"refused", OrderedJson::array()}};
   for (const auto& facts : report.volumes) document["volumes"].push_back(to_json(facts));
   for (const auto& [path, reason] : report.refused) {
     document["refused"].push_back({{"path", path.string()}, {"reason", reason}});
   }
-  out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  out << document.dump(2, ' ', false, OrderedJson::error_handler_t::replace) << '\n';
 }
 
 void print_lines(const Report& report, std::ostream& out) {

@@ -49,8 +49,8 @@ void run_render(const RenderCommand& command) {
   const auto volume = load_volume_argument(volume_of(command, document), terminal_progress());
   const VolumeFacts facts = facts_of(volume);
   const Scene scene = resolve_scene(document, facts, size);
-  for (const std::string& reason : reasons_for_nothing(scene, facts))
-    std::cerr << "cutaway render: " << reason << '\n';
+  for (const UnseenReason& reason : reasons_for_nothing(scene, facts))
+    std::cerr << "cutaway render: " << in_words(reason) << '\n';
   const Picture picture =
       render_once(command, {.volume = volume,
                             .scene = std::make_shared<const Scene>(scene),

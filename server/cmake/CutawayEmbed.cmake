@@ -16,5 +16,7 @@ function(cutaway_embed target function)
             -P ${CUTAWAY_EMBED_SCRIPT}
     DEPENDS ${paths} ${CUTAWAY_EMBED_SCRIPT}
     VERBATIM)
+  # By itself: else each of its neighbours is compiled anew with it, and as another file in each build folder.
+  set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${target} PRIVATE ${output})
 endfunction()

@@ -116,6 +116,30 @@ void leave_out_customs(std::span<const T> values, NoData<T>& found) {
   }
 }
 
+/// Of the physical values: air is -1000 HU, less noise and what calibration leaves open.
+bool is_below_air(double number, double lowest_of_others, double highest_of_others) {
+  constexpr double kApart = 200.0;
+  const bool others_are_hounsfield = lowest_of_others >= -1200 && lowest_of_others <= -900 &&
+                                     highest_of_others >= 0 && highest_of_others <= 70000;
+  return others_are_hounsfield && lowest_of_others - number >= kApart;
+}
+
+/// Leaves out the physically lowest value, where it lies below air.
+template <typename T>
+void leave_out_below_air(std::span<const T> values, double slope, double intercept,
+                         ValidValues<T>& valid) {
+  const Extremes<T> all = extremes_of(values, valid);
+  if (all.count == 0 || all.lowest == all.highest) return;
+  const auto physical = [&](T value) { return double(value) * slope + intercept; };
+  ValidValues<T> rest = valid;
+  (slope < 0 ? rest.highest : rest.lowest) =
+      slope < 0 ? just_below(all.highest) : just_above(all.lowest);
+  const Extremes<T> others = extremes_of(values, rest);
+  const double lowest = physical(slope < 0 ? others.highest : others.lowest);
+  const double highest = physical(slope < 0 ? others.lowest : others.highest);
+  if (is_below_air(physical(slope < 0 ? all.highest : all.lowest), lowest, highest)) valid = rest;
+}
+
 template <typename T>
 bool is_finite(T value) {
   if constexpr (std::is_floating_point_v<T>) return std::isfinite(value);
@@ -136,6 +160,13 @@ NoData<T> find_no_data(std::span<const T> values) {
   return found;
 }
 
+template <typename T>
+ValidValues<T> mixable_values(std::span<const T> values, double slope, double intercept) {
+  ValidValues<T> valid = find_no_data(values).valid;
+  if constexpr (sizeof(T) > 1) leave_out_below_air(values, slope, intercept, valid);
+  return valid;
+}
+
 template NoData<std::int8_t> find_no_data(std::span<const std::int8_t>);
 template NoData<std::uint8_t> find_no_data(std::span<const std::uint8_t>);
 template NoData<std::int16_t> find_no_data(std::span<const std::int16_t>);
@@ -144,5 +175,14 @@ template NoData<std::int32_t> find_no_data(std::span<const std::int32_t>);
 template NoData<std::uint32_t> find_no_data(std::span<const std::uint32_t>);
 template NoData<float> find_no_data(std::span<const float>);
 template NoData<double> find_no_data(std::span<const double>);
+
+template ValidValues<std::int8_t> mixable_values(std::span<const std::int8_t>, double, double);
+template ValidValues<std::uint8_t> mixable_values(std::span<const std::uint8_t>, double, double);
+template ValidValues<std::int16_t> mixable_values(std::span<const std::int16_t>, double, double);
+template ValidValues<std::uint16_t> mixable_values(std::span<const std::uint16_t>, double, double);
+template ValidValues<std::int32_t> mixable_values(std::span<const std::int32_t>, double, double);
+template ValidValues<std::uint32_t> mixable_values(std::span<const std::uint32_t>, double, double);
+template ValidValues<float> mixable_values(std::span<const float>, double, double);
+template ValidValues<double> mixable_values(std::span<const double>, double, double);
 
 }  // namespace cutaway::reading

@@ -21,4 +21,10 @@ struct NoData {
 template <typename T>
 NoData<T> find_no_data(std::span<const T> values);
 
+/// What may be mixed with its neighbours: all but numbers that count as no value, and one that lies
+/// below air where all others are Hounsfield units, as scanners write it around their field of view
+/// (-2000, -3024) without declaring it. `slope` and `intercept` are the file's.
+template <typename T>
+ValidValues<T> mixable_values(std::span<const T> values, double slope, double intercept);
+
 }  // namespace cutaway::reading

@@ -25,23 +25,19 @@ bool looks_like_hounsfield(const ValueRange& range) {
 }
 
 template <typename T>
-std::vector<T> first_components(const std::vector<T>& values, std::size_t channels) {
-  std::vector<T> result(values.size() / channels);
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = values[i * channels];
-  return result;
+void keep_first_components(std::vector<T>& values, std::size_t channels) {
+  for (std::size_t i = 0; i < values.size() / channels; ++i) values[i] = values[i * channels];
 }
 
 template <typename T>
-std::vector<T> luminances(const std::vector<T>& values, std::size_t channels) {
-  std::vector<T> result(values.size() / channels);
-  for (std::size_t i = 0; i < result.size(); ++i) {
+void keep_luminances(std::vector<T>& values, std::size_t channels) {
+  for (std::size_t i = 0; i < values.size() / channels; ++i) {
     const T* pixel = values.data() + i * channels;
     const double luminance = 0.2126 * static_cast<double>(pixel[0]) +
                              0.7152 * static_cast<double>(pixel[1]) +
                              0.0722 * static_cast<double>(pixel[2]);
-    result[i] = static_cast<T>(std::is_integral_v<T> ? std::round(luminance) : luminance);
+    values[i] = static_cast<T>(std::is_integral_v<T> ? std::round(luminance) : luminance);
   }
-  return result;
 }
 
 }  // namespace
@@ -116,11 +112,14 @@ void convert_int64_in_place(std::span<double> values, Component component) {
   }
 }
 
-RawVoxels reduce_channels(const RawVoxels& voxels, std::size_t channels, Channels meaning) {
+void reduce_channels(RawVoxels& voxels, std::size_t channels, Channels meaning) {
   const bool colour = meaning == Channels::colour && channels >= 3;
-  return std::visit(
-      [&](const auto& values) -> RawVoxels {
-        return colour ? luminances(values, channels) : first_components(values, channels);
+  std::visit(
+      [&](auto& values) {
+        colour ? keep_luminances(values, channels) : keep_first_components(values, channels);
+        const std::size_t kept = values.size() / channels;
+        release_pages(std::as_writable_bytes(std::span(values).subspan(kept)));
+        values.resize(kept);
       },
       voxels);
 }

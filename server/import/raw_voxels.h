@@ -37,8 +37,8 @@ void convert_int64_in_place(std::span<double> values, Component component);
 enum class Channels { colour, components };
 
 /// From interleaved channels to one: colour to its luminance (ITU-R BT.709 weights), else the first
-/// component.
-RawVoxels reduce_channels(const RawVoxels& voxels, std::size_t channels, Channels meaning);
+/// component. In place: what the others took is given back.
+void reduce_channels(RawVoxels& voxels, std::size_t channels, Channels meaning);
 
 /// Stored voxels with what a file says of them.
 struct RawVolume {

@@ -48,7 +48,8 @@ std::string reason_of(const Error& error) {
 std::uint64_t checked_voxel_count(const std::filesystem::path& file,
                                   std::span<const std::int64_t> extents,
                                   std::uint64_t bytes_per_voxel, const ImportLimits& limits) {
-  double bytes = static_cast<double>(bytes_per_voxel);
+  constexpr std::uint64_t kLeastStoredBytes = sizeof(std::uint16_t);  // as a Volume keeps them
+  double bytes = static_cast<double>(std::max(bytes_per_voxel, kLeastStoredBytes));
   for (const auto extent : extents) {
     if (extent < 1) {
       refuse(file, "the header declares an empty grid", "at least 1 voxel along each axis",

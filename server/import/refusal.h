@@ -27,7 +27,8 @@ std::string quoted_briefly(std::string text, std::size_t bytes = kLongestQuote);
 std::string reason_of(const Error& error);
 
 /// Number of voxels of a grid that a header declares. Throws Error "volume-refused" for an extent
-/// below 1, and "too-large" where voxels * bytes_per_voxel exceeds the limit; no product overflows.
+/// below 1, and "too-large" where voxels * bytes_per_voxel exceeds the limit, or what a Volume
+/// makes of them; no product overflows.
 std::uint64_t checked_voxel_count(const std::filesystem::path& file,
                                   std::span<const std::int64_t> extents,
                                   std::uint64_t bytes_per_voxel, const ImportLimits& limits);

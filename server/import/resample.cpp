@@ -1,90 +1,131 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <stop_token>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "core/progress.h"
+#include "core/released_pages.h"
+#include "import/no_data.h"
 #include "import/slice_grid.h"
 
 namespace cutaway::reading {
 
 namespace {
 
-constexpr double kUncovered = std::numeric_limits<double>::quiet_NaN();
+constexpr double kRounding = 1e-6;
 
-/// A tap between two pixels of a row or column; `inside` is false beyond its ends.
-struct Tap {
-  int index = 0;
-  double fraction = 0.0;
+/// Two neighbours along a line and what each of them weighs; none beyond the ends of `size`.
+struct Taps {
+  std::size_t index = 0;
+  std::array<double, 2> weights{};
   bool inside = false;
 };
 
-Tap tap_at(double position, int size) {
-  constexpr double kRounding = 1e-6;
+Taps taps_at(double position, int size) {
   if (!(position >= -kRounding && position <= size - 1 + kRounding)) return {};
   const double clamped = std::clamp(position, 0.0, static_cast<double>(size - 1));
   const int index = std::min(static_cast<int>(clamped), size - 2);
-  return {index, clamped - index, true};
+  const double fraction = clamped - index;
+  return {static_cast<std::size_t>(index), {1 - fraction, fraction}, true};
 }
 
+/// The mean of neighbours that have a value. Where more than half of the weight has none, it is the
+/// number of the weightiest of those: a number that says "nothing" is handed on as it is, and never
+/// a part of a value.
 template <typename T>
-bool is_nan(T value) {
-  return std::isnan(static_cast<double>(value));
-}
+class Mean {
+ public:
+  void add(T value, bool is_value, double weight) {
+    if (is_value) {
+      sum_ += weight * static_cast<double>(value);
+      weight_ += weight;
+    } else {
+      nothing_weight_ += weight;
+      if (weight > heaviest_) std::tie(heaviest_, nothing_) = std::pair(weight, value);
+    }
+  }
+
+  T value() const {
+    if (nothing_weight_ > weight_) return nothing_;
+    const double mean = sum_ / weight_;
+    if constexpr (std::is_integral_v<T>) return static_cast<T>(std::lround(mean));
+    return static_cast<T>(mean);
+  }
+
+ private:
+  double sum_ = 0.0;
+  double weight_ = 0.0;
+  double nothing_weight_ = 0.0;
+  double heaviest_ = 0.0;
+  T nothing_{};
+};
 
 template <typename T>
 class SliceResampler {
  public:
-  SliceResampler(const std::vector<T>& voxels, const SliceStack& stack, const GridPlan& plan,
-                 double slope)
-      : voxels_(voxels), size_px_(stack.size_px), plan_(plan) {
-    // NaN, which has no order, comes last.
-    const auto smallest = std::min_element(voxels.begin(), voxels.end(), [slope](T a, T b) {
-      return (slope < 0 ? b < a : a < b) || (!is_nan(a) && is_nan(b));
-    });
-    outside_ = *smallest;
-  }
+  SliceResampler(std::vector<T>& voxels, const SliceStack& stack, const GridPlan& plan,
+                 const Stored& stored)
+      : voxels_(voxels),
+        size_px_(stack.size_px),
+        slice_voxels_(std::size_t(stack.size_px.x) * stack.size_px.y),
+        plan_(plan),
+        padding_(stored.padding),
+        valid_(mixable_values(std::span<const T>(voxels), stored.slope, stored.intercept)),
+        outside_(physically_smallest(voxels, stored.slope < 0)) {}
 
+  /// Slice by slice, so that the new ones take memory only as the old ones give it back.
   std::vector<T> run(const std::stop_token& stop) {
     const glm::ivec3 size = plan_.geometry.size_voxels;
     const std::size_t slice_voxels = std::size_t(size.x) * size.y;
-    std::vector<T> result(slice_voxels * size.z, outside_);
+    std::vector<T> result;
+    result.reserve(slice_voxels * size.z);
     for (int k = 0; k < size.z; ++k) {
       throw_if_cancelled(stop);
-      blend_slices(k, std::span(result).subspan(slice_voxels * k, slice_voxels));
+      result.resize(result.size() + slice_voxels, outside_);
+      fill_slice(k, std::span(result).last(slice_voxels));
     }
     return result;
   }
 
  private:
-  void blend_slices(int k, std::span<T> output) {
+  /// A slice of the stack that has weight in one of the grid.
+  struct Part {
+    std::size_t slice = 0;
+    double weight = 0.0;
+  };
+
+  /// NaN, which has no order, comes last.
+  static T physically_smallest(const std::vector<T>& voxels, bool falls) {
+    const auto is_nan = [](T value) { return std::isnan(static_cast<double>(value)); };
+    return *std::min_element(voxels.begin(), voxels.end(), [&](T a, T b) {
+      return (falls ? b < a : a < b) || (!is_nan(a) && is_nan(b));
+    });
+  }
+
+  void fill_slice(int k, std::span<T> output) {
+    const std::array<Part, 2> parts = parts_at(k);
+    release_before(parts[0].slice);
+    const auto width = static_cast<std::size_t>(plan_.geometry.size_voxels.x);
+    for (int j = 0; j < plan_.geometry.size_voxels.y; ++j)
+      fill_row(parts, j, output.subspan(width * static_cast<std::size_t>(j), width));
+  }
+
+  /// An end of no weight counts for nothing, so that its uncovered pixels do not blank the other
+  /// slice.
+  std::array<Part, 2> parts_at(int k) const {
     const std::size_t above = slice_at_or_above(k);
     const std::size_t below = above > 0 ? above - 1 : above;
     const double low = plan_.placements[below].height;
     const double high = plan_.placements[above].height;
     const double weight = high > low ? std::clamp((k - low) / (high - low), 0.0, 1.0) : 0.0;
-    const std::vector<double>& lower = shifted(lower_, below);
-    const std::vector<double>& upper = shifted(upper_, above);
-    for (std::size_t i = 0; i < output.size(); ++i) {
-      const double value = blend(lower[i], upper[i], weight);
-      if (!std::isnan(value)) output[i] = to_stored(value);
-    }
-  }
-
-  /// An end of no weight counts for nothing, so that its uncovered pixels do not blank the other
-  /// slice.
-  static double blend(double lower, double upper, double weight) {
-    constexpr double kRounding = 1e-6;
-    if (weight <= kRounding) return lower;
-    if (weight >= 1 - kRounding) return upper;
-    return lower + (upper - lower) * weight;
-  }
-
-  static T to_stored(double value) {
-    if constexpr (std::is_integral_v<T>) return static_cast<T>(std::lround(value));
-    return static_cast<T>(value);
+    if (weight <= kRounding) return {Part{below, 1.0}, Part{below, 0.0}};
+    if (weight >= 1 - kRounding) return {Part{above, 1.0}, Part{above, 0.0}};
+    return {Part{below, 1 - weight}, Part{above, weight}};
   }
 
   std::size_t slice_at_or_above(int k) const {
@@ -95,59 +136,66 @@ class SliceResampler {
     return static_cast<std::size_t>(found - plan_.placements.begin());
   }
 
-  struct Shifted {
-    std::size_t slice = std::numeric_limits<std::size_t>::max();
-    std::vector<double> values;
-  };
-
-  const std::vector<double>& shifted(Shifted& cache, std::size_t slice) {
-    if (cache.slice != slice) shift_slice(cache, slice);
-    return cache.values;
+  void release_before(std::size_t slice) {
+    const std::size_t done = slice * slice_voxels_;
+    if (done <= released_) return;
+    release_pages(std::as_writable_bytes(std::span(voxels_).subspan(released_, done - released_)));
+    released_ = done;
   }
 
-  /// The slice's values at the pixels of the output grid, in its own plane.
-  void shift_slice(Shifted& cache, std::size_t slice) {
-    const glm::ivec3 size = plan_.geometry.size_voxels;
-    const glm::dvec2 shift = plan_.placements[slice].shift_px;
-    const T* pixels = voxels_.data() + std::size_t(size_px_.x) * size_px_.y * slice;
-    cache.slice = slice;
-    cache.values.assign(std::size_t(size.x) * size.y, kUncovered);
-    for (int j = 0; j < size.y; ++j) {
-      const Tap row = tap_at(j - shift.y, size_px_.y);
-      if (!row.inside) continue;
-      for (int i = 0; i < size.x; ++i) {
-        const Tap column = tap_at(i - shift.x, size_px_.x);
-        if (column.inside)
-          cache.values[std::size_t(j) * size.x + i] = bilinear(pixels, row, column);
-      }
+  void fill_row(const std::array<Part, 2>& parts, int j, std::span<T> output) const {
+    std::array<Taps, 2> rows;
+    for (std::size_t p = 0; p < 2; ++p)
+      rows[p] = taps_at(j - plan_.placements[parts[p].slice].shift_px.y, size_px_.y);
+    if (!rows[0].inside || !rows[1].inside) return;
+    for (std::size_t i = 0; i < output.size(); ++i) {
+      Mean<T> mean;
+      bool inside = true;
+      for (std::size_t p = 0; p < 2 && inside; ++p)
+        inside = parts[p].weight == 0.0 || add(parts[p], rows[p], i, mean);
+      if (inside) output[i] = mean.value();
     }
   }
 
-  double bilinear(const T* pixels, const Tap& row, const Tap& column) const {
-    const T* first = pixels + std::size_t(row.index) * size_px_.x + column.index;
-    const T* second = first + size_px_.x;
-    const auto along_row = [&](const T* p) {
-      return static_cast<double>(p[0]) * (1 - column.fraction) +
-             static_cast<double>(p[1]) * column.fraction;
-    };
-    return along_row(first) * (1 - row.fraction) + along_row(second) * row.fraction;
+  /// False where the slice does not reach there.
+  bool add(const Part& part, const Taps& rows, std::size_t i, Mean<T>& mean) const {
+    const double shift = plan_.placements[part.slice].shift_px.x;
+    const Taps columns = taps_at(static_cast<double>(i) - shift, size_px_.x);
+    if (!columns.inside) return false;
+    const auto width = static_cast<std::size_t>(size_px_.x);
+    for (std::size_t row = 0; row < 2; ++row) {
+      const std::size_t first =
+          part.slice * slice_voxels_ + (rows.index + row) * width + columns.index;
+      for (std::size_t column = 0; column < 2; ++column) {
+        const double weight = part.weight * rows.weights[row] * columns.weights[column];
+        if (weight > 0) add(first + column, weight, mean);
+      }
+    }
+    return true;
   }
 
-  const std::vector<T>& voxels_;
+  void add(std::size_t index, double weight, Mean<T>& mean) const {
+    const T value = voxels_[index];
+    mean.add(value, valid_.holds(value) && !(padding_ && padding_->holds(index)), weight);
+  }
+
+  std::vector<T>& voxels_;
   glm::ivec2 size_px_;
+  std::size_t slice_voxels_;
   const GridPlan& plan_;
-  T outside_{};
-  Shifted lower_;
-  Shifted upper_;
+  const PaddingMask* padding_;
+  ValidValues<T> valid_;
+  T outside_;
+  std::size_t released_ = 0;
 };
 
 }  // namespace
 
-RawVoxels resample(const RawVoxels& slices, const SliceStack& stack, const GridPlan& plan,
-                   double slope, std::stop_token stop) {
+RawVoxels resample(RawVoxels slices, const SliceStack& stack, const GridPlan& plan,
+                   const Stored& stored, std::stop_token stop) {
   return std::visit(
-      [&]<typename T>(const std::vector<T>& voxels) -> RawVoxels {
-        return SliceResampler<T>(voxels, stack, plan, slope).run(stop);
+      [&]<typename T>(std::vector<T>& voxels) -> RawVoxels {
+        return SliceResampler<T>(voxels, stack, plan, stored).run(stop);
       },
       slices);
 }

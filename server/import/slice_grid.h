@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "import/padding_mask.h"
 #include "import/raw_voxels.h"
 #include "import/refusal.h"
 
@@ -49,9 +50,19 @@ GridPlan plan_grid(const std::filesystem::path& file, const SliceStack& stack,
 SliceStack stack_of_affine(glm::ivec3 size_voxels, const glm::dmat3& steps_mm,
                            glm::dvec3 origin_mm);
 
-/// Linear interpolation within and between slices. Voxels that no slice covers get the smallest
-/// value: air in a CT. It is the largest stored number where `slope`, the file's, is negative.
-RawVoxels resample(const RawVoxels& slices, const SliceStack& stack, const GridPlan& plan,
-                   double slope, std::stop_token stop);
+/// What the numbers of a stack's pixels mean.
+struct Stored {
+  double slope = 1.0;  ///< the file's
+  double intercept = 0.0;
+  const PaddingMask* padding = nullptr;  ///< pixels that a file declares to have no value
+};
+
+/// Linear interpolation within and between slices. What has no value is not mixed with what has
+/// one: a voxel takes the mean of the values around it, or, where most of its surroundings have
+/// none, the number that stands there for none. Voxels that no slice covers get the smallest
+/// value: air in a CT. It is the largest stored number where the slope is negative. Gives the
+/// slices' memory back as it goes.
+RawVoxels resample(RawVoxels slices, const SliceStack& stack, const GridPlan& plan,
+                   const Stored& stored, std::stop_token stop);
 
 }  // namespace cutaway::reading

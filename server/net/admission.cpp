@@ -16,9 +16,12 @@ std::variant<std::unique_ptr<Admission::Ticket>, Admission::Refusal> Admission::
       std::ranges::count_if(entries_, is_neighbour) >= limits_.per_address) {
     return Refusal::address_limit;
   }
-  if (!has_seat() && waiting() >= limits_.queue && !make_room_in_queue(address.group)) {
+  turned_away_.forget_the_gone(now);
+  if (!finds_place(address.group)) {
+    if (limits_.queue == 0 && !address.is_exempt) turned_away_.add(address.group, now);
     return Refusal::full;
   }
+  turned_away_.remove(address.group);
   auto entry = std::make_shared<Entry>();
   entry->guest = std::move(guest);
   entry->group = address.group;
@@ -92,6 +95,39 @@ void Admission::remove(Entry& entry) {
   entry.present = false;
   seated_ -= entry.seated ? 1 : 0;
   std::erase_if(entries_, [&entry](const auto& each) { return each.get() == &entry; });
+}
+
+bool Admission::finds_place(const std::string& newcomer) {
+  if (has_seat()) return !is_claimed_by_others(newcomer);
+  if (waiting() < limits_.queue) return true;
+  return limits_.queue > 0 ? make_room_in_queue(newcomer) : make_room_without_queue(newcomer);
+}
+
+// Only for who is there: nobody else could take the seat.
+bool Admission::make_room_without_queue(const std::string& newcomer) {
+  const auto since = turned_away_.since(newcomer);
+  const bool has_waited = since && now_ - *since >= limits_.share_wait;
+  Entry* idle = idle_seat();
+  Entry* beyond =
+      idle == nullptr && has_waited && !has_its_share(newcomer) ? seat_beyond_share() : nullptr;
+  if (idle == nullptr && beyond == nullptr) return false;
+  give_way(idle ? *idle : *beyond, idle ? Why::idle : Why::over_share);
+  return true;
+}
+
+// Whether the free seats are for those who were turned away, since the newcomer has its share.
+bool Admission::is_claimed_by_others(const std::string& newcomer) const {
+  if (turned_away_.all().empty() || !has_its_share(newcomer)) return false;
+  const auto claims = std::ranges::count_if(turned_away_.all(), [&](const auto& each) {
+    return each.first != newcomer && !has_its_share(each.first);
+  });
+  return claims >= limits_.seats - seated_;
+}
+
+bool Admission::has_its_share(const std::string& group) const {
+  const std::map<std::string, int> counts = count(true);
+  const auto own = counts.find(group);
+  return own != counts.end() && own->second >= share_of(limits_.seats, group);
 }
 
 // The last to come, of the address that has most places, makes room for one that has few.
@@ -169,6 +205,7 @@ std::map<std::string, int> Admission::count(bool seated) const {
 int Admission::share_of(int all, const std::string& newcomer) const {
   std::set<std::string> groups;
   for (const auto& each : entries_) groups.insert(each->group);
+  for (const auto& [group, wait] : turned_away_.all()) groups.insert(group);
   if (!newcomer.empty()) groups.insert(newcomer);
   return std::max(1, all / std::max(1, static_cast<int>(groups.size())));
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "net/client_address.h"
+#include "net/turned_away.h"
 
 namespace cutaway {
 
@@ -86,7 +87,11 @@ class Admission {
   void tell(Entry& entry, int place);
   void give_way(Entry& entry, Why why);
   void remove(Entry& entry);
+  bool finds_place(const std::string& newcomer);
   bool make_room_in_queue(const std::string& newcomer);
+  bool make_room_without_queue(const std::string& newcomer);
+  bool is_claimed_by_others(const std::string& newcomer) const;
+  bool has_its_share(const std::string& group) const;
   Entry* idle_seat() const;
   Entry* seat_beyond_share() const;
   std::vector<Waiting> waiting_in_turn() const;
@@ -101,6 +106,7 @@ class Admission {
   TimePoint now_;  ///< when the admission was last told the time
   int seated_ = 0;
   Entries entries_;  ///< in the order in which they came
+  TurnedAway turned_away_;
 };
 
 class Admission::Ticket {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "net/header_text.h"
 
 namespace cutaway {
 
@@ -22,12 +23,6 @@ std::string group_of(const ip::address& address) {
   ip::address_v6::bytes_type bytes = address.to_v6().to_bytes();
   std::fill(bytes.begin() + 8, bytes.end(), std::uint8_t{0});
   return ip::address_v6(bytes).to_string() + "/64";
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t";
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
 std::optional<ip::address> address_of(std::string_view text) {
@@ -106,7 +101,7 @@ ClientAddress ClientAddresses::of_request(const ip::address& peer,
   while (proxies_.contains(client) && !forwarded_for.empty()) {
     const std::size_t comma = forwarded_for.rfind(',');
     const std::size_t begin = comma == std::string_view::npos ? 0 : comma + 1;
-    const auto before = forwarded_address(trimmed(forwarded_for.substr(begin)));
+    const auto before = forwarded_address(trimmed_text(forwarded_for.substr(begin)));
     if (!before) return counted(plain(peer), false);
     client = *before;
     forwarded_for = forwarded_for.substr(0, comma == std::string_view::npos ? 0 : comma);

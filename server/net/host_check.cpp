@@ -6,6 +6,8 @@
 #include <boost/beast/core/string.hpp>
 #include <string>
 
+#include "net/header_text.h"
+
 namespace cutaway {
 
 namespace {
@@ -21,10 +23,6 @@ std::string_view without_port(std::string_view host) {
 std::string_view host_of_origin(std::string_view origin) {
   const std::size_t scheme = origin.find("://");
   return without_port(scheme == std::string_view::npos ? origin : origin.substr(scheme + 3));
-}
-
-bool same(std::string_view a, std::string_view b) {
-  return boost::beast::iequals({a.data(), a.size()}, {b.data(), b.size()});
 }
 
 bool is_ip_literal(std::string_view host) {
@@ -44,7 +42,7 @@ bool is_loopback_address(const std::string& address) {
 
 bool host_allowed(std::string_view host, const NetSettings& settings) {
   const std::string_view name = without_port(host);
-  const auto is_name = [name](std::string_view each) { return same(name, each); };
+  const auto is_name = [name](std::string_view each) { return same_text(name, each); };
   if (std::ranges::any_of(kThisMachine, is_name) || is_name(settings.address) ||
       std::ranges::any_of(settings.hosts, is_name) ||
       std::ranges::any_of(settings.allowed_origins, is_name, host_of_origin)) {

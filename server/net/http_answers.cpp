@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "net/header_text.h"
 #include "net/http_headers.h"
 
 namespace cutaway {
@@ -16,8 +17,6 @@ namespace {
 
 constexpr const char* kImmutable = "public, max-age=31536000, immutable";
 constexpr const char* kRevalidate = "no-cache";
-
-std::string_view view_of(boost::beast::string_view text) { return {text.data(), text.size()}; }
 
 HttpResponse text_response(http::status status, std::string text, std::string_view type) {
   HttpResponse response;
@@ -42,21 +41,15 @@ HttpResponse not_found(bool has_client) {
                           : "The web client is not built or its folder is not configured.");
 }
 
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
 // In a list such as If-None-Match or Accept-Encoding: the parameters after this item's ';', nothing
 // where it is not listed.
 std::optional<std::string_view> parameters_of(std::string_view item, std::string_view header) {
   while (!header.empty()) {
     const std::size_t comma = std::min(header.find(','), header.size());
-    const std::string_view entry = trimmed(header.substr(0, comma));
+    const std::string_view entry = trimmed_text(header.substr(0, comma));
     const std::size_t semicolon = std::min(entry.find(';'), entry.size());
-    if (trimmed(entry.substr(0, semicolon)) == item) {
-      return trimmed(entry.substr(std::min(semicolon + 1, entry.size())));
+    if (trimmed_text(entry.substr(0, semicolon)) == item) {
+      return trimmed_text(entry.substr(std::min(semicolon + 1, entry.size())));
     }
     header.remove_prefix(std::min(comma + 1, header.size()));
   }

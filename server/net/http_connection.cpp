@@ -18,7 +18,7 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::size_t kReadBytes = std::size_t{4} * 1024;
+constexpr std::size_t kRequestReadBytes = std::size_t{4} * 1024;
 /// What a client may still have on its way when it is refused: read, so that the answer arrives
 /// before the reset that unread bytes cause (RFC 9112, 9.6).
 constexpr std::size_t kLingerBytes = std::size_t{256} * 1024;
@@ -111,7 +111,7 @@ asio::awaitable<HttpConnection::Reading> HttpConnection::find_head(HeadScanner& 
   stream_.expires_after(context_.settings.request_timeout);
   HeadScanner::State state = scanner.scan(received());
   while (state == HeadScanner::State::incomplete) {
-    const std::size_t room = std::min(kReadBytes, kHeadBytes - incoming_.size());
+    const std::size_t room = std::min(kRequestReadBytes, kHeadBytes - incoming_.size());
     if (room == 0) co_return Reading::too_long;
     error_code error;
     const std::size_t bytes = co_await stream_.async_read_some(
@@ -190,7 +190,7 @@ asio::awaitable<void> HttpConnection::end() {
   error_code error;
   stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);
   stream_.expires_after(kLinger);
-  std::array<char, kReadBytes> unread{};
+  std::array<char, kRequestReadBytes> unread{};
   std::size_t left = kLingerBytes;
   while (!error && !ending_ && left > 0) {
     const std::size_t bytes = co_await stream_.async_read_some(

@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "net/header_text.h"
+
 namespace cutaway {
 
 namespace http = boost::beast::http;
@@ -32,12 +34,6 @@ bool is_token(char c) {
 bool is_control(char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f; }
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-std::string_view view_of(beast::string_view text) { return {text.data(), text.size()}; }
-
-bool same(std::string_view a, std::string_view b) {
-  return beast::iequals({a.data(), a.size()}, {b.data(), b.size()});
-}
 
 bool is_port(std::string_view digits) {
   if (digits.find_first_not_of(kDigits) != std::string_view::npos) return false;
@@ -79,7 +75,7 @@ std::optional<HeadRefusal> wrong_framing(const HttpRequest& request) {
   if (lengths > 0) return malformed("The request has Content-Length and Transfer-Encoding.");
   if (request.version() < 11) return malformed("HTTP/1.0 knows no Transfer-Encoding.");
   if (request.count(http::field::transfer_encoding) == 1 &&
-      same(view_of(request[http::field::transfer_encoding]), "chunked")) {
+      same_text(view_of(request[http::field::transfer_encoding]), "chunked")) {
     return std::nullopt;
   }
   return HeadRefusal{http::status::not_implemented,
@@ -94,7 +90,7 @@ struct AbsoluteTarget {
 
 std::optional<AbsoluteTarget> absolute_target(std::string_view target) {
   for (const std::string_view scheme : {"http://", "https://"}) {
-    if (!same(target.substr(0, scheme.size()), scheme)) continue;
+    if (!same_text(target.substr(0, scheme.size()), scheme)) continue;
     const std::string_view after = target.substr(scheme.size());
     const std::size_t end = std::min(after.find_first_of("/?#"), after.size());
     std::string rest(after.substr(end));

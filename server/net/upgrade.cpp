@@ -4,14 +4,14 @@
 #include <boost/beast/http/rfc7230.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 
+#include "net/header_text.h"
+
 namespace cutaway {
 
 namespace http = boost::beast::http;
 namespace websocket = boost::beast::websocket;
 
 namespace {
-
-std::string_view view_of(boost::beast::string_view text) { return {text.data(), text.size()}; }
 
 bool offers_our_subprotocol(const HttpRequest& request) {
   http::token_list offered(request[http::field::sec_websocket_protocol]);

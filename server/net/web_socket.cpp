@@ -24,7 +24,7 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::size_t kReadBytes = std::size_t{16} * 1024;
+constexpr std::size_t kMessageReadBytes = std::size_t{16} * 1024;
 constexpr std::chrono::milliseconds kBreath{20};  // no reading for so long after too many messages
 
 constexpr std::size_t kLargestPiece = std::size_t{4} << 20;
@@ -210,7 +210,7 @@ asio::awaitable<bool> WebSocket::read_message() {
   do {
     error_code error;
     const std::size_t bytes = co_await stream_.async_read_some(
-        incoming_, kReadBytes, asio::redirect_error(asio::use_awaitable, error));
+        incoming_, kMessageReadBytes, asio::redirect_error(asio::use_awaitable, error));
     incoming_bytes_ += bytes;
     if (error) {
       if (!is_ordinary_end(error)) log().info("{} ended: {}", name_, error.message());

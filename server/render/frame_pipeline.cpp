@@ -15,7 +15,6 @@ constexpr glm::vec4 kNothing(0.0F);
 constexpr int kRayCost = 4;
 constexpr int kNormalsCost = 2;
 
-constexpr glm::vec4 kNothingMet(0.0F, 0.0F, 0.0F, -1.0F);  ///< see shaders/branches.glsl
 constexpr glm::vec4 kAllLight(1.0F);
 
 /// Where versions of normals at a scale begin.

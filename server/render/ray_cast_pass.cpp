@@ -15,8 +15,6 @@ namespace {
 /// Neighbouring rays meet a surface that the lens cuts within about so many voxels of each other.
 constexpr double kRimVoxels = 2.0;
 
-/// See shaders/branches.glsl: the ray left the volume.
-constexpr glm::vec4 kNothingMet(0.0F, 0.0F, 0.0F, -1.0F);
 constexpr glm::vec4 kNoLayer(0.0F);
 
 const char* mode_name(LensMode mode) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <deque>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "gl/framebuffer.h"
@@ -14,6 +15,9 @@ namespace cutaway {
 /// Index of a branch in arrays here and in the shaders.
 enum BranchIndex : std::size_t { kContext = 0, kFocus = 1 };
 inline constexpr std::size_t kBranches = 2;
+
+/// Of a surface buffer's texel: the ray left the volume. See shaders/branches.glsl.
+inline constexpr glm::vec4 kNothingMet(0.0F, 0.0F, 0.0F, -1.0F);
 
 /// One colour texture with its framebuffer.
 struct ColourTarget {

@@ -78,13 +78,13 @@ const std::map<std::string, Reading, std::less<>>& readings() {
 }
 
 /// Null where the message has none.
-Json type_of(const Json& message) {
+Json message_type(const Json& message) {
   return message.is_object() ? message.value("type", Json()) : Json();
 }
 
 /// Nothing where the message sizes no picture.
 std::optional<int> largest_side_of(const Json& message, const SideLimits& limits) {
-  const Json type = type_of(message);
+  const Json type = message_type(message);
   if (type == "viewport") return limits.viewport_px;
   if (type == "save_still") return limits.still_px;
   return {};
@@ -121,7 +121,7 @@ Json salvaged(std::string_view text) {
 Error seen_from_the_scene(const Error& error, std::string_view text) {
   constexpr std::string_view kScene = "/scene/";
   Error::Detail detail = error.detail();
-  if (!detail.field.starts_with(kScene) || type_of(salvaged(text)) != "scene") return error;
+  if (!detail.field.starts_with(kScene) || message_type(salvaged(text)) != "scene") return error;
   detail.field.erase(0, kScene.size() - 1);
   return Error(detail);
 }

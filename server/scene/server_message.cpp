@@ -4,6 +4,7 @@
 #include "scene/resolve.h"
 #include "scene/scene_json.h"
 #include "scene/styles.h"
+#include "scene/unseen.h"
 
 namespace cutaway {
 
@@ -14,8 +15,15 @@ NLOHMANN_JSON_SERIALIZE_ENUM(LoadStage, {{LoadStage::read, "read"},
 NLOHMANN_JSON_SERIALIZE_ENUM(LoadEnd, {{LoadEnd::ready, "ready"},
                                        {LoadEnd::cancelled, "cancelled"},
                                        {LoadEnd::failed, "failed"}})
-NLOHMANN_JSON_SERIALIZE_ENUM(PickedBranch,
-                             {{PickedBranch::focus, "focus"}, {PickedBranch::context, "context"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(PictureBranch,
+                             {{PictureBranch::focus, "focus"}, {PictureBranch::context, "context"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(UnseenCode, {{UnseenCode::volume_empty, "volume-empty"},
+                                          {UnseenCode::above_all_values, "above-all-values"},
+                                          {UnseenCode::below_all_values, "below-all-values"},
+                                          {UnseenCode::fills_the_volume, "fills-the-volume"},
+                                          {UnseenCode::transparent, "transparent"},
+                                          {UnseenCode::lens_covered, "lens-covered"},
+                                          {UnseenCode::lens_empty, "lens-empty"}})
 
 namespace {
 
@@ -83,6 +91,18 @@ Json picked_message(std::uint32_t request, const std::optional<PickedPoint>& poi
   message["units"] = point->units;
   if (point->branch) message["branch"] = *point->branch;
   return message;
+}
+
+Json unseen_message(const std::vector<UnseenReason>& reasons) {
+  Json list = Json::array();
+  for (const UnseenReason& reason : reasons) {
+    Json entry{{"code", reason.code}, {"message", in_words(reason)}};
+    if (reason.branch) entry["branch"] = *reason.branch;
+    if (reason.value) entry["value"] = *reason.value;
+    if (reason.limit) entry["limit"] = *reason.limit;
+    list.push_back(std::move(entry));
+  }
+  return {{"type", "unseen"}, {"reasons", std::move(list)}};
 }
 
 Json error_message(const Error& error, const MessageEcho& echo) {

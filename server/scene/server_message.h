@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "core/progress.h"
@@ -51,14 +52,34 @@ Json scene_message(std::uint32_t revision, std::uint32_t input, const Scene& sce
 Json scene_message(std::uint32_t revision, std::uint32_t input, const Scene& scene,
                    const Json& volume);
 
-enum class PickedBranch { focus, context };
+enum class PictureBranch { focus, context };
 struct PickedPoint {
   glm::dvec3 position_mm{0.0};
   double value = 0.0;
   std::string units;
-  std::optional<PickedBranch> branch;  ///< none on a slice
+  std::optional<PictureBranch> branch;  ///< none on a slice
 };
 Json picked_message(std::uint32_t request, const std::optional<PickedPoint>& point);
+
+enum class UnseenCode {
+  volume_empty,
+  above_all_values,
+  below_all_values,
+  fills_the_volume,
+  transparent,
+  lens_covered,
+  lens_empty
+};
+/// Why a picture shows nothing where something is expected; fields as in the schema.
+struct UnseenReason {
+  UnseenCode code = UnseenCode::volume_empty;
+  std::optional<PictureBranch> branch = {};
+  std::optional<double> value = {};
+  std::optional<double> limit = {};
+  bool operator==(const UnseenReason&) const = default;
+};
+/// An empty list says that what was told before is over.
+Json unseen_message(const std::vector<UnseenReason>& reasons);
 
 Json error_message(const Error& error, const MessageEcho& echo = {});
 

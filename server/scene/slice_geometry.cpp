@@ -11,7 +11,7 @@ namespace cutaway {
 namespace {
 
 /// Of the volume's size, so that its edge is seen to be one.
-constexpr double kFramingMargin = 1.02;
+constexpr double kSliceFramingMargin = 1.02;
 
 struct Plane {
   glm::dvec3 toward_viewer;
@@ -38,7 +38,7 @@ double half_extent_mm(const glm::dmat3& grid_half_axes_mm, glm::dvec3 direction)
 
 double whole_height_mm(const glm::dmat3& half_axes_mm, const CameraAxes& axes, Viewport viewport) {
   const double aspect = double(viewport.height_px) / viewport.width_px;
-  return 2.0 * kFramingMargin *
+  return 2.0 * kSliceFramingMargin *
          std::max(half_extent_mm(half_axes_mm, axes.up),
                   half_extent_mm(half_axes_mm, axes.right) * aspect);
 }

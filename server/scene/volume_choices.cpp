@@ -46,9 +46,9 @@ glm::dvec3 chosen_crosshair_mm(const VolumeFacts& volume) {
 }
 
 glm::dvec3 chosen_up(glm::dvec3 view_direction) {
-  constexpr double kNearlyParallel = 1e-3;
+  constexpr double kNearlyVertical = 1e-3;
   const double sine = glm::length(glm::cross(glm::normalize(view_direction), kSuperior));
-  return sine > kNearlyParallel ? kSuperior : kAnterior;
+  return sine > kNearlyVertical ? kSuperior : kAnterior;
 }
 
 double chosen_view_height_mm(const VolumeFacts& volume, Viewport viewport) {

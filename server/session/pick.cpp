@@ -18,7 +18,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 struct Stretch {
   double begin = 0.0;
   double end = kEndless;
-  PickedBranch branch = PickedBranch::context;
+  PictureBranch branch = PictureBranch::context;
   bool begins_at_lens = false;
 };
 
@@ -28,7 +28,7 @@ std::optional<Stretch> inside_lens(const Lens& lens, const ViewRay& ray) {
   const auto lens_mm = LensBody(lens).interval_mm(ray);
   if (!lens_mm || lens_mm->y <= 0.0) return std::nullopt;
   const double begin = std::max(0.0, lens_mm->x);
-  return Stretch{begin, lens_mm->y, PickedBranch::focus, begin > 0.0};
+  return Stretch{begin, lens_mm->y, PictureBranch::focus, begin > 0.0};
 }
 
 // Material that a stretch starts in does not count where a cap is left open, nor around an eye that
@@ -44,8 +44,8 @@ std::optional<double> past_open_cap(const OpenVolume& volume, const ViewRay& ray
   return std::nullopt;
 }
 
-const ValueBand& band_of(const Scene& scene, PickedBranch branch) {
-  return (branch == PickedBranch::focus ? scene.focus : scene.context).surface.band;
+const ValueBand& band_of(const Scene& scene, PictureBranch branch) {
+  return (branch == PictureBranch::focus ? scene.focus : scene.context).surface.band;
 }
 
 std::optional<PickHit> first_hit(const Scene& scene, const OpenVolume& volume, const ViewRay& ray,
@@ -68,7 +68,7 @@ std::optional<PickHit> first_hit(const Scene& scene, const OpenVolume& volume, c
 // The Magic Lens shows the whole ray's focus, and the context where there is none.
 std::optional<PickHit> pick_under_magic_lens(const Scene& scene, const OpenVolume& volume,
                                              const ViewRay& ray) {
-  const auto focus = first_hit(scene, volume, ray, {.begin = 0.0, .branch = PickedBranch::focus});
+  const auto focus = first_hit(scene, volume, ray, {.begin = 0.0, .branch = PictureBranch::focus});
   return focus ? focus : first_hit(scene, volume, ray, Stretch{});
 }
 
@@ -83,8 +83,8 @@ std::optional<PickHit> pick(const Scene& scene, const OpenVolume& volume, glm::d
     return first_hit(scene, volume, ray, {.begin = opened, .begins_at_lens = opened > 0.0});
   if (scene.lens.mode == LensMode::magic) return pick_under_magic_lens(scene, volume, ray);
   const std::array stretches = {
-      Stretch{opened, lens->begin, PickedBranch::context, opened > 0.0}, *lens,
-      Stretch{std::max(lens->end, opened), kEndless, PickedBranch::context, true}};
+      Stretch{opened, lens->begin, PictureBranch::context, opened > 0.0}, *lens,
+      Stretch{std::max(lens->end, opened), kEndless, PictureBranch::context, true}};
   for (const Stretch& stretch : stretches) {
     if (stretch.begin >= stretch.end) continue;
     if (const auto hit = first_hit(scene, volume, ray, stretch)) return hit;

@@ -12,7 +12,7 @@ namespace cutaway {
 struct PickHit {
   glm::dvec3 position_mm;
   double limit_value;  ///< of the surface that was hit
-  PickedBranch branch;
+  PictureBranch branch;
 };
 
 /// The visible surface under a point of the viewport: the context's outside of the lens, the focus'

@@ -41,6 +41,8 @@ Session::Session(SessionWiring wiring, const SessionSettings& settings)
               }),
       previews_(preview_wiring(wiring_.preview_view), preview_hooks()),
       volume_previews_(preview_wiring(wiring_.volume_preview_view), preview_hooks()),
+      unseen_(wiring_.strand,
+              [this](const std::vector<UnseenReason>& reasons) { tell(unseen_message(reasons)); }),
       opening_(wiring_.strand, wiring_.volumes,
                {.progress =
                     [this](LoadStage stage, double fraction) {
@@ -150,6 +152,8 @@ Session::Reception Session::refuse_too_fast() {
 void Session::took_effect(SceneState::Change change, InputStamp stamp) {
   stamp_ = stamp;
   if (change.chosen) tell_scene_soon();
+  if (change.pictures[std::size_t(ViewKind::volume)])
+    unseen_.changed(state_.scene(), state_.volume());
   for (std::size_t view = 0; view < flows_.size(); ++view) {
     if (change.pictures[view]) {
       flows_[view]->show(snapshot(static_cast<ViewKind>(view)));

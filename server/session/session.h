@@ -18,6 +18,7 @@
 #include "session/settings.h"
 #include "session/still_saver.h"
 #include "session/token_bucket.h"
+#include "session/unseen_watch.h"
 #include "session/volume_library.h"
 #include "session/volume_opening.h"
 
@@ -110,6 +111,7 @@ class Session {
   PreviewMaker previews_;          ///< of the session's scene
   PreviewMaker volume_previews_;   ///< of other volumes, which take long to open
   LensMemory lenses_of_pictures_;  ///< of scenes that are not taken up
+  UnseenWatch unseen_;
   VolumeOpening opening_;
   std::optional<Pending> pending_;
   std::optional<TimePoint> scene_told_at_;

@@ -48,19 +48,19 @@ TEST(JobQueue, AltersAndGivesBackOnlyWhatWaits) {
 }
 
 TEST(JobQueue, AJobComesWithTheReleasesBeforeItAndNoneAfterIt) {
-  using Views = std::vector<std::uint64_t>;
+  using ViewOrder = std::vector<std::uint64_t>;
   JobQueue<TestJob> queue;
   queue.release(1);
   queue.put({1, 10});
   const auto taken = queue.take(1);
-  EXPECT_EQ(taken.released, Views{1});
+  EXPECT_EQ(taken.released, ViewOrder{1});
   EXPECT_EQ(taken.job->number, 10);
-  EXPECT_EQ(queue.take_released(), Views{});
+  EXPECT_EQ(queue.take_released(), ViewOrder{});
 
   queue.put({1, 11});
   EXPECT_EQ(queue.release(1)->number, 11);
   EXPECT_FALSE(queue.has(1));
-  EXPECT_EQ(queue.take_released(), Views{1});
+  EXPECT_EQ(queue.take_released(), ViewOrder{1});
 }
 
 TEST(JobQueue, WaitingEndsWithAJobAWakeAStopOrItsTime) {

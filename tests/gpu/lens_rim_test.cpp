@@ -41,13 +41,13 @@ class Held {
   std::vector<glm::vec4> surface_;
 };
 
-struct Rendered {
+struct RenderedRim {
   BytePicture picture;
   Held focus;
   Held context;
 };
 
-Rendered render(const Json& document, const std::shared_ptr<const LoadedVolume>& volume) {
+RenderedRim render(const Json& document, const std::shared_ptr<const LoadedVolume>& volume) {
   const Scene scene = scene_for(document, volume, {kSize.x, kSize.y});
   RenderSettings settings = settings_for(scene);
   settings.supersampling = kRays;
@@ -98,10 +98,10 @@ TEST(LensRim, OfTheFlagshipsFocusHasNoLineWhereTheFocusGoesOn) {
   const Lens placed = scene_for(style("flagship").scene, head(), {kSize.x, kSize.y}).lens;
   for (const double factor : {0.6, 0.8, 1.0}) {
     const double radius_mm = factor * placed.radius_mm;
-    const Rendered on = render(flagship(true, placed.centre_mm, radius_mm), head());
-    const Rendered off = render(flagship(false, placed.centre_mm, radius_mm), head());
+    const RenderedRim on = render(flagship(true, placed.centre_mm, radius_mm), head());
+    const RenderedRim off = render(flagship(false, placed.centre_mm, radius_mm), head());
     // Four pixels larger: where it holds the focus all round a pixel, the anatomy has no border.
-    const Rendered larger = render(flagship(true, placed.centre_mm, radius_mm + 4.0), head());
+    const RenderedRim larger = render(flagship(true, placed.centre_mm, radius_mm + 4.0), head());
     const Lines lines = lines_of(on.picture, off.picture, on.focus, larger.focus);
     EXPECT_EQ(lines.along_rim, 0) << radius_mm;
     EXPECT_GT(lines.rim, 50) << radius_mm;
@@ -129,9 +129,9 @@ TEST(LensRim, OfTheContextHasNoLineAlongTheBiteThatTheLensTakesOfALimb) {
   const auto ball = load(sphere_volume(centred_geometry(96), 40.0));
   // In the plane of the limb the bite goes to the background; before it, to the cavity's wall.
   for (const double lens_y_mm : {0.0, -10.0}) {
-    const Rendered on = render(bitten_ball(true, "cutaway", lens_y_mm), ball);
-    const Rendered off = render(bitten_ball(false, "cutaway", lens_y_mm), ball);
-    const Rendered whole = render(bitten_ball(true, "none", lens_y_mm), ball);
+    const RenderedRim on = render(bitten_ball(true, "cutaway", lens_y_mm), ball);
+    const RenderedRim off = render(bitten_ball(false, "cutaway", lens_y_mm), ball);
+    const RenderedRim whole = render(bitten_ball(true, "none", lens_y_mm), ball);
     const Lines lines = lines_of(on.picture, off.picture, on.context, whole.context);
     EXPECT_EQ(lines.along_rim, 0) << lens_y_mm;
     EXPECT_GT(lines.rim, 50) << lens_y_mm;
@@ -140,7 +140,7 @@ TEST(LensRim, OfTheContextHasNoLineAlongTheBiteThatTheLensTakesOfALimb) {
 }
 
 /// Pixels where a line of `source` darkens by much more than the ball's and the cavity's own bend.
-int dark_pixels(const char* source, const Rendered& plain, const std::vector<glm::ivec2>& pixels,
+int dark_pixels(const char* source, const RenderedRim& plain, const std::vector<glm::ivec2>& pixels,
                 const std::shared_ptr<const LoadedVolume>& ball) {
   Json document = bitten_ball(true, "cutaway", -10.0);
   document["context"]["filters"][0]["source"] = source;
@@ -164,7 +164,7 @@ TEST(LensRim, OfTheContextHasNoLineOfAnySourceBetweenSkinAndCavity) {
   const auto ball = load(sphere_volume(centred_geometry(96), 40.0));
   Json document = bitten_ball(true, "cutaway", -10.0);
   document["context"]["filters"] = Json::array();
-  const Rendered plain = render(document, ball);
+  const RenderedRim plain = render(document, ball);
   const std::vector<bool> through = seen_through_lens();
   std::vector<glm::ivec2> rim;
   for (int y = 5; y < kSize.y - 5; ++y) {

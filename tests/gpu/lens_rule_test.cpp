@@ -75,14 +75,14 @@ double cosine_at(const ViewRay& ray, const Expected& expected, const Lens& lens)
   return std::abs(glm::dot(normal, ray.direction));
 }
 
-constexpr int kSide = 150;
+constexpr int kRuleSide = 150;
 
 /// The closed form's picture.
 class ExpectedPicture {
  public:
   ExpectedPicture(const Scene& scene, const ShellField& shells) {
-    for (int y = 0; y < kSide; ++y) {
-      for (int x = 0; x < kSide; ++x) {
+    for (int y = 0; y < kRuleSide; ++y) {
+      for (int x = 0; x < kRuleSide; ++x) {
         rays_.push_back(ray_through(scene.camera, scene.viewport, {x + 0.5, y + 0.5}));
         events_.push_back(closed_form(rays_.back(), scene.lens, shells));
       }
@@ -98,12 +98,14 @@ class ExpectedPicture {
     int count = 0;
     for (int i = 0; i < 9; ++i) {
       const glm::ivec2 neighbour = pixel + glm::ivec2(i % 3 - 1, i / 3 - 1);
-      count += holds(at(glm::clamp(neighbour, 0, kSide - 1))) ? 1 : 0;
+      count += holds(at(glm::clamp(neighbour, 0, kRuleSide - 1))) ? 1 : 0;
     }
     return count;
   }
 
-  static std::size_t number(glm::ivec2 at) { return static_cast<std::size_t>(at.y) * kSide + at.x; }
+  static std::size_t number(glm::ivec2 at) {
+    return static_cast<std::size_t>(at.y) * kRuleSide + at.x;
+  }
 
  private:
   std::vector<ViewRay> rays_;
@@ -127,7 +129,7 @@ TEST_P(LensPlaces, LabelsAndDepthsAreTheClosedForms) {
       {"context", {{"surface", {{"iso_value", shells.skin_iso_hu}}}}},
       {"focus", {{"surface", {{"iso_value", shells.bone_iso_hu}}}}},
       {"lens", {{"centre_mm", {centre.x, centre.y, centre.z}}, {"radius_mm", radius}}}};
-  const Scene scene = scene_for(document, volume, {kSide, kSide});
+  const Scene scene = scene_for(document, volume, {kRuleSide, kRuleSide});
   GpuHarness& gpu = GpuHarness::instance();
   gpu.render(scene, volume, settings_for(scene));
   const auto context = FramePipeline::read_surface(gpu.view(), kContext);
@@ -135,8 +137,8 @@ TEST_P(LensPlaces, LabelsAndDepthsAreTheClosedForms) {
   const ExpectedPicture expected(scene, shells);
 
   int compared = 0;
-  for (int i = 0; i < kSide * kSide; ++i) {
-    const glm::ivec2 pixel(i % kSide, i / kSide);
+  for (int i = 0; i < kRuleSide * kRuleSide; ++i) {
+    const glm::ivec2 pixel(i % kRuleSide, i / kRuleSide);
     const Expected& here = expected.at(pixel);
     ASSERT_FALSE(focus[i].w >= 0.0F && context[i].w >= 0.0F);
     const int branch = focus[i].w >= 0.0F ? int{kFocus} : context[i].w >= 0.0F ? int{kContext} : -1;

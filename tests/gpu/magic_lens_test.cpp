@@ -9,10 +9,10 @@
 namespace cutaway::test {
 namespace {
 
-constexpr int kSide = 160;
+constexpr int kMagicSide = 160;
 constexpr double kViewHeightMm = 80.0;
 
-const std::shared_ptr<const LoadedVolume>& shells() {
+const std::shared_ptr<const LoadedVolume>& magic_shells() {
   static const auto volume = load(shells_volume(centred_geometry(100)));
   return volume;
 }
@@ -41,8 +41,8 @@ Json weight_scene(double strength, double softness, double radius_mm) {
 }
 
 BytePicture render(const Json& document) {
-  const Scene scene = scene_for(document, shells(), {kSide, kSide});
-  return GpuHarness::instance().render(scene, shells(), settings_for(scene));
+  const Scene scene = scene_for(document, magic_shells(), {kMagicSide, kMagicSide});
+  return GpuHarness::instance().render(scene, magic_shells(), settings_for(scene));
 }
 
 TEST(MagicLens, OfStrengthZeroIsTheContextExactly) {
@@ -64,10 +64,10 @@ TEST(MagicLens, OfFullStrengthAndHardEdgeIsTheFocusInsideAndTheContextOutside) {
   document["context"] = document["focus"];
   document["context"]["surface"] = {{"iso_value", 250}};
   const BytePicture focus = render(document);
-  const double radius_px = 15.0 * kSide / kViewHeightMm;
-  for (int y = 0; y < kSide; y += 3) {
-    for (int x = 0; x < kSide; x += 3) {
-      const double beside_px = std::hypot(x + 0.5 - kSide / 2.0, y + 0.5 - kSide / 2.0);
+  const double radius_px = 15.0 * kMagicSide / kViewHeightMm;
+  for (int y = 0; y < kMagicSide; y += 3) {
+    for (int x = 0; x < kMagicSide; x += 3) {
+      const double beside_px = std::hypot(x + 0.5 - kMagicSide / 2.0, y + 0.5 - kMagicSide / 2.0);
       if (std::abs(beside_px - radius_px) < 1.0) continue;
       const BytePicture& expected = beside_px < radius_px ? focus : context;
       EXPECT_EQ(picture.rgb({x, y}), expected.rgb({x, y})) << x << "," << y;
@@ -81,7 +81,7 @@ TEST(MagicLens, CoversADiscOfItsRadius) {
     double covered = 0.0;
     for (std::size_t i = 0; i < picture.rgba.size(); i += 4) covered += picture.rgba[i] > 127;
     // The background is darker than that, and the bone reaches 25 mm.
-    const double radius_px = radius_mm * kSide / kViewHeightMm;
+    const double radius_px = radius_mm * kMagicSide / kViewHeightMm;
     EXPECT_NEAR(covered, M_PI * radius_px * radius_px, 2.0 * M_PI * radius_px);
   }
 }
@@ -94,20 +94,21 @@ TEST(MagicLens, InPerspectiveCoversTheConeAroundItsSphere) {
                         {"vertical_fov_degrees", 24}};
   const BytePicture picture = render(document);
   int row = 0;
-  for (int x = 0; x < kSide; ++x) row += picture.rgb({x, kSide / 2}).r > 127 ? 1 : 0;
+  for (int x = 0; x < kMagicSide; ++x) row += picture.rgb({x, kMagicSide / 2}).r > 127 ? 1 : 0;
   const double half_angle = std::asin(12.0 / 140.0);
-  const double half_px = std::tan(half_angle) / std::tan(glm::radians(12.0)) * kSide / 2.0;
+  const double half_px = std::tan(half_angle) / std::tan(glm::radians(12.0)) * kMagicSide / 2.0;
   EXPECT_NEAR(row, 2.0 * half_px, 2.0);
 }
 
 TEST(MagicLens, FadesFromItsMiddleToItsRimAsTheSmoothStepSays) {
   const BytePicture picture = render(weight_scene(0.8, 0.5, 20.0));
-  const double mm_per_px = kViewHeightMm / kSide;
+  const double mm_per_px = kViewHeightMm / kMagicSide;
   int last = 255;
-  for (int x = kSide / 2; x < kSide / 2 + 40; ++x) {
-    const double offset = std::hypot((x + 0.5 - kSide / 2.0) * mm_per_px, 0.5 * mm_per_px) / 20.0;
+  for (int x = kMagicSide / 2; x < kMagicSide / 2 + 40; ++x) {
+    const double offset =
+        std::hypot((x + 0.5 - kMagicSide / 2.0) * mm_per_px, 0.5 * mm_per_px) / 20.0;
     const double t = std::clamp((offset - 0.5) / 0.5, 0.0, 1.0);
-    const int level = picture.rgb({x, kSide / 2}).r;
+    const int level = picture.rgb({x, kMagicSide / 2}).r;
     EXPECT_NEAR(level, 255.0 * 0.8 * (1.0 - t * t * (3.0 - 2.0 * t)), 1.5) << x;
     EXPECT_LE(level, last);
     last = level;
@@ -118,7 +119,7 @@ TEST(MagicLens, LeavesTheContextWholeWhereTheFocusIsEmptyUnlessStrict) {
   Json document = weight_scene(1.0, 0.0, 38.0);  // wider than the bone
   document["context"]["shading"] = flat(0.5);
   document["background"] = {{"colour", {0.0, 0.0, 0.0}}};
-  const glm::ivec2 beside_the_bone(kSide / 2 + 60, kSide / 2);  // 30 mm: skin only
+  const glm::ivec2 beside_the_bone(kMagicSide / 2 + 60, kMagicSide / 2);  // 30 mm: skin only
   EXPECT_EQ(render(document).rgb(beside_the_bone).r, 128);
   document["lens"]["strict"] = true;
   EXPECT_EQ(render(document).rgb(beside_the_bone).r, 0);
@@ -145,12 +146,12 @@ TEST(MagicLens, BehindTheEyeOrOfNoSizeDoesNothing) {
 }
 
 TEST(MagicLens, ItsSlidersCastNoRay) {
-  const auto volume = shells();
+  const auto volume = magic_shells();
   GpuHarness& gpu = GpuHarness::instance();
   GpuVolume gpu_volume(volume, 2048);
   ViewState view;
   const auto draw = [&](const Json& document) {
-    const Scene scene = scene_for(document, volume, {kSide, kSide});
+    const Scene scene = scene_for(document, volume, {kMagicSide, kMagicSide});
     gpu.pipeline().render(view, scene, gpu_volume, settings_for(scene));
     return view.counts();
   };

@@ -10,7 +10,7 @@
 namespace cutaway::test {
 namespace {
 
-constexpr Viewport kViewport{120, 120};
+constexpr Viewport kNormalsViewport{120, 120};
 
 /// The angle by which a GPU's own filter, which places samples to 1/256 of a voxel, may turn a
 /// gradient; a software rasteriser's is exact.
@@ -28,7 +28,7 @@ Scene surface_scene(const std::shared_ptr<const LoadedVolume>& volume, double is
                       {"shading", {{"name", "gooch"}}},
                       {"filters", Json::array()}}},
                     {"lens", {{"mode", "none"}, {"centre_mm", {0, 0, 0}}, {"radius_mm", 1}}}},
-                   volume, kViewport);
+                   volume, kNormalsViewport);
 }
 
 /// How far normals are from the field's at the points where rays meet the surface.
@@ -49,7 +49,7 @@ NormalErrors normal_errors(const std::shared_ptr<const LoadedVolume>& volume, do
   NormalErrors errors;
   for (std::size_t i = 0; i < surface.size(); ++i) {
     if (surface[i].w < 0.0F) continue;
-    const glm::dvec2 pixel(i % kViewport.width_px, i / kViewport.width_px);
+    const glm::dvec2 pixel(i % kNormalsViewport.width_px, i / kNormalsViewport.width_px);
     const ViewRay ray = ray_through(scene.camera, scene.viewport, pixel + 0.5);
     const glm::dvec3 point_mm = ray.origin_mm + double(surface[i].w) * ray.direction;
     const glm::dvec3 index(to_index * glm::dvec4(point_mm, 1.0));
@@ -119,12 +119,12 @@ TEST(Normals, AnAnisotropicGridGivesThePictureOfAnIsotropicOne) {
   int compared = 0;
   int on_one_only = 0;
   int worst = 0;
-  for (int i = 0; i < kViewport.width_px * kViewport.height_px; ++i) {
+  for (int i = 0; i < kNormalsViewport.width_px * kNormalsViewport.height_px; ++i) {
     const bool is_held = surface[i].w >= 0.0F;
     if (is_held != (other_surface[i].w >= 0.0F)) {
       ++on_one_only;  // rays that graze the ball
     } else if (is_held) {
-      const glm::ivec2 pixel(i % kViewport.width_px, i / kViewport.width_px);
+      const glm::ivec2 pixel(i % kNormalsViewport.width_px, i / kNormalsViewport.width_px);
       const glm::ivec3 apart = glm::abs(one.rgb(pixel) - other.rgb(pixel));
       worst = std::max({worst, apart.r, apart.g, apart.b});
       ++compared;

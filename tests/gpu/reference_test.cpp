@@ -12,7 +12,7 @@
 namespace cutaway::test {
 namespace {
 
-constexpr Viewport kViewport{160, 120};
+constexpr Viewport kComparedViewport{160, 120};
 
 Json flagship() {
   return Json::parse(R"({
@@ -41,7 +41,7 @@ TEST_P(EveryGeometry, LooksLikeTheReference) {
   const Grid& grid = GetParam();
   const glm::ivec3 size(100.0 / grid.spacing_mm);
   const auto volume = load(shells_volume(centred_geometry(size, grid.spacing_mm, grid.direction)));
-  const Scene scene = scene_for(flagship(), volume, kViewport);
+  const Scene scene = scene_for(flagship(), volume, kComparedViewport);
   expect_like_reference(std::string("geometry-") + grid.name, scene, volume, settings_for(scene),
                         tolerance_for(scene));
 }
@@ -55,7 +55,7 @@ TEST_P(EveryGeometry, OfTranslucentBandsLooksLikeTheReference) {
   document["focus"]["surface"] = {{"iso_value", 250}, {"opacity", 0.3}};
   document["context"]["shading"] = {{"name", "gooch"}};
   document["focus"]["filters"] = {{{"name", "sobel"}, {"source", "depth"}, {"norm", "unit"}}};
-  const Scene scene = scene_for(document, volume, kViewport);
+  const Scene scene = scene_for(document, volume, kComparedViewport);
   expect_like_reference(std::string("translucent-") + grid.name, scene, volume, settings_for(scene),
                         tolerance_for(scene));
 }
@@ -66,7 +66,7 @@ TEST_P(EveryGeometry, UnderTheMagicLensLooksLikeTheReference) {
   const auto volume = load(shells_volume(centred_geometry(size, grid.spacing_mm, grid.direction)));
   Json document = flagship();
   document["lens"]["mode"] = "magic";
-  const Scene scene = scene_for(document, volume, kViewport);
+  const Scene scene = scene_for(document, volume, kComparedViewport);
   expect_like_reference(std::string("magic-") + grid.name, scene, volume, settings_for(scene),
                         tolerance_for(scene));
 }
@@ -85,7 +85,7 @@ class EveryPhantom : public testing::TestWithParam<PhantomKind> {};
 
 TEST_P(EveryPhantom, LooksLikeTheReference) {
   const auto volume = load(make_phantom({GetParam(), 64}, {}, {}));
-  const Scene scene = scene_for(flagship_placed_by_default(), volume, kViewport);
+  const Scene scene = scene_for(flagship_placed_by_default(), volume, kComparedViewport);
   expect_like_reference("phantom-" + std::to_string(static_cast<int>(GetParam())), scene, volume,
                         settings_for(scene), tolerance_for(scene));
 }
@@ -105,7 +105,7 @@ TEST(Reference, OrthographicViewFromTheSideWithEachCap) {
                           {"target_mm", {0, 0, 0}},
                           {"up", {0, 0.2, 1}},
                           {"view_height_mm", 100}};
-    const Scene scene = scene_for(document, volume, kViewport);
+    const Scene scene = scene_for(document, volume, kComparedViewport);
     expect_like_reference(std::string("cap-") + cap, scene, volume, settings_for(scene),
                           tolerance_for(scene));
   }
@@ -119,7 +119,7 @@ TEST(Reference, EyeInsideTheBoneAndInsideTheLens) {
                           {"target_mm", {3, 60, 2}},
                           {"up", {0, 0, 1}},
                           {"vertical_fov_degrees", 90}};
-    const Scene scene = scene_for(document, volume, kViewport);
+    const Scene scene = scene_for(document, volume, kComparedViewport);
     expect_like_reference("eye-at-" + std::to_string(static_cast<int>(y)), scene, volume,
                           settings_for(scene), tolerance_for(scene));
   }
@@ -131,13 +131,13 @@ TEST(Reference, TissueThatTheBoxCutsShowsAFlatFace) {
   document["context"]["surface"]["iso_value"] = 5.0;
   document["focus"]["surface"]["iso_value"] = 15.0;
   document["camera"] = {{"eye_mm", {60, -200, 50}}, {"target_mm", {0, 0, 0}}, {"up", {0, 0, 1}}};
-  const Scene scene = scene_for(document, volume, kViewport);
+  const Scene scene = scene_for(document, volume, kComparedViewport);
   expect_like_reference("box-face", scene, volume, settings_for(scene), tolerance_for(scene));
 }
 
 BytePicture picture_of(const Json& document, Volume volume) {
   const auto loaded = load(std::move(volume));
-  const Scene scene = scene_for(document, loaded, kViewport);
+  const Scene scene = scene_for(document, loaded, kComparedViewport);
   return GpuHarness::instance().render(scene, loaded, settings_for(scene));
 }
 
@@ -160,7 +160,7 @@ TEST(Reference, TheSignOfTheRescaleDoesNotShow) {
   const BytePicture plain = picture_of(flagship(), shells_with_slope(1));
   EXPECT_EQ(picture_of(flagship(), shells_with_slope(-1)).rgba, plain.rgba);
   const auto negative = load(shells_with_slope(-1));
-  const Scene scene = scene_for(flagship(), negative, kViewport);
+  const Scene scene = scene_for(flagship(), negative, kComparedViewport);
   expect_like_reference("negative-slope", scene, negative, settings_for(scene),
                         tolerance_for(scene));
 }
@@ -182,7 +182,7 @@ TEST(Reference, ValuesFarFromOneLookAsOthersDo) {
 
 TEST(Reference, SupersampledStillAndReducedPicture) {
   const auto volume = load(make_phantom({PhantomKind::head, 64}, {}, {}));
-  const Scene scene = scene_for(flagship(), volume, kViewport);
+  const Scene scene = scene_for(flagship(), volume, kComparedViewport);
   RenderSettings still = settings_for(scene);
   still.supersampling = 2;
   expect_like_reference("supersampled", scene, volume, still, tolerance_for(scene));

@@ -11,8 +11,8 @@ namespace cutaway::test {
 namespace {
 
 constexpr double kRadiusMm = 40.0;
-constexpr Viewport kViewport{200, 200};
-constexpr double kViewHeightMm = 100.0;
+constexpr Viewport kShadedViewport{200, 200};
+constexpr double kShadedHeightMm = 100.0;
 
 const std::shared_ptr<const LoadedVolume>& sphere() {
   static const auto volume = load(sphere_volume(centred_geometry(100), kRadiusMm));
@@ -27,7 +27,7 @@ Scene sphere_scene(const Json& shading, glm::dvec3 light_in_camera) {
          {"eye_mm", {0, -200, 0}},
          {"target_mm", {0, 0, 0}},
          {"up", {0, 0, 1}},
-         {"view_height_mm", kViewHeightMm}}},
+         {"view_height_mm", kShadedHeightMm}}},
        {"context",
         {{"surface", {{"iso_value", 0.0}}}, {"shading", shading}, {"filters", Json::array()}}},
        {"focus", {{"surface", {{"iso_value", 10.0}}}, {"filters", Json::array()}}},
@@ -36,7 +36,7 @@ Scene sphere_scene(const Json& shading, glm::dvec3 light_in_camera) {
         {{"frame", "camera"},
          {"direction", {light_in_camera.x, light_in_camera.y, light_in_camera.z}}}},
        {"background", {{"colour", {0, 0, 0}}}}},
-      sphere(), kViewport);
+      sphere(), kShadedViewport);
 }
 
 Json toon() {
@@ -86,7 +86,7 @@ TEST_P(EveryShading, IsTheReferencesOnTheExactNormal) {
   const BytePicture picture = GpuHarness::instance().render(scene, sphere(), settings_for(scene));
   const glm::dvec3 light =
       glm::normalize(glm::dvec3(-0.5, -0.5, 0.7));  // patient space: the viewer looks along +y
-  const double pixel_mm = kViewHeightMm / kViewport.height_px;
+  const double pixel_mm = kShadedHeightMm / kShadedViewport.height_px;
   for (int y = 25; y < 175; y += 7) {
     for (int x = 25; x < 175; x += 7) {
       const double right = (x + 0.5 - 100) * pixel_mm;
@@ -147,7 +147,7 @@ TEST(PhongShading, AHeadlightsLambertTermIsTwoThirdsOfItsPeakOnTheDisc) {
   const BytePicture picture = GpuHarness::instance().render(scene, sphere(), settings_for(scene));
   double sum = 0.0;
   for (std::size_t i = 0; i < picture.rgba.size(); i += 4) sum += picture.rgba[i] / 255.0;
-  const double radius_px = kRadiusMm * kViewport.height_px / kViewHeightMm;
+  const double radius_px = kRadiusMm * kShadedViewport.height_px / kShadedHeightMm;
   EXPECT_NEAR(sum / (M_PI * radius_px * radius_px), 2.0 / 3.0, 0.005);
 }
 

@@ -39,12 +39,12 @@ bool is_inside(const VolumeGeometry& geometry, glm::dvec3 position_mm) {
          glm::all(glm::lessThanEqual(index, glm::dvec3(geometry.size_voxels - 1)));
 }
 
-struct Grid {
+struct SlicedGrid {
   glm::dvec3 spacing_mm;
   glm::dmat3 direction;
 };
 
-class Slices : public testing::TestWithParam<std::tuple<ViewKind, Grid>> {
+class Slices : public testing::TestWithParam<std::tuple<ViewKind, SlicedGrid>> {
  protected:
   std::shared_ptr<const LoadedVolume> volume() const {
     const auto [kind, grid] = GetParam();
@@ -96,9 +96,9 @@ TEST_P(Slices, OfATiltedCrosshairToo) {
 INSTANTIATE_TEST_SUITE_P(
     EachPlaneAndGrid, Slices,
     testing::Combine(testing::Values(ViewKind::axial, ViewKind::coronal, ViewKind::sagittal),
-                     testing::Values(Grid{glm::dvec3(1.0), glm::dmat3(1.0)},
-                                     Grid{kAnisotropicSpacingMm, oblique_direction()},
-                                     Grid{kAnisotropicSpacingMm, flipped_direction()})));
+                     testing::Values(SlicedGrid{glm::dvec3(1.0), glm::dmat3(1.0)},
+                                     SlicedGrid{kAnisotropicSpacingMm, oblique_direction()},
+                                     SlicedGrid{kAnisotropicSpacingMm, flipped_direction()})));
 
 TEST(Slice, LeftIsAtTheRightForRadiologistsAndAtTheLeftForNeurologists) {
   const auto volume = load(quadratic_volume(

@@ -14,8 +14,8 @@
 namespace cutaway::test {
 namespace {
 
-constexpr double kRadiusMm = 40.0;
-constexpr Viewport kViewport{160, 160};
+constexpr double kDepthRadiusMm = 40.0;
+constexpr Viewport kDepthViewport{160, 160};
 
 /// What refinement leaves, and floats; a GPU's filter places samples to 1/256 of a voxel.
 constexpr double kRestMm = 0.004;
@@ -31,7 +31,7 @@ Scene surface_scene(const std::shared_ptr<const LoadedVolume>& volume, const cha
                       {"view_height_mm", 100}}},
                     {"context", {{"surface", {{"iso_value", 0}}}}},
                     {"lens", {{"mode", "none"}, {"centre_mm", {0, 0, 0}}, {"radius_mm", 1}}}},
-                   volume, kViewport);
+                   volume, kDepthViewport);
 }
 
 std::vector<glm::vec4> surface_of(const Scene& scene,
@@ -47,10 +47,10 @@ std::vector<glm::vec4> surface_of(const Scene& scene,
 /// Calls `look(ray, distance_mm)` for each pixel; distance_mm < 0: nothing was met.
 template <typename Look>
 void each_pixel(const Scene& scene, const std::vector<glm::vec4>& surface, Look&& look) {
-  for (int y = 0; y < kViewport.height_px; ++y) {
-    for (int x = 0; x < kViewport.width_px; ++x) {
+  for (int y = 0; y < kDepthViewport.height_px; ++y) {
+    for (int x = 0; x < kDepthViewport.width_px; ++x) {
       const ViewRay ray = ray_through(scene.camera, scene.viewport, {x + 0.5, y + 0.5});
-      look(ray, double(surface[static_cast<std::size_t>(y) * kViewport.width_px + x].w));
+      look(ray, double(surface[static_cast<std::size_t>(y) * kDepthViewport.width_px + x].w));
     }
   }
 }
@@ -79,8 +79,8 @@ TEST_P(BallSurface, LiesWhereTheClosedFormSays) {
   double worst_mm = 0.0;
   each_pixel(scene, surface_of(scene, volume), [&](const ViewRay& ray, double distance_mm) {
     const double half_chord_mm =
-        std::sqrt(std::max(0.0, kRadiusMm * kRadiusMm - beside_mm(ray) * beside_mm(ray)));
-    const double cosine = half_chord_mm / kRadiusMm;
+        std::sqrt(std::max(0.0, kDepthRadiusMm * kDepthRadiusMm - beside_mm(ray) * beside_mm(ray)));
+    const double cosine = half_chord_mm / kDepthRadiusMm;
     if (cosine < 0.2) return;  // grazing: an error along the normal has no bound along the ray
     const double expected_mm = -glm::dot(ray.origin_mm, ray.direction) - half_chord_mm;
     worst_mm = std::max(worst_mm, std::abs(distance_mm - expected_mm) * cosine);
@@ -92,7 +92,8 @@ TEST_P(BallSurface, LiesWhereTheClosedFormSays) {
 
 INSTANTIATE_TEST_SUITE_P(
     Surface, BallSurface,
-    testing::Combine(testing::Values(BallField{"linear", [](double r) { return kRadiusMm - r; },
+    testing::Combine(testing::Values(BallField{"linear",
+                                               [](double r) { return kDepthRadiusMm - r; },
                                                1.0 / (4 * 40.0)},
                                      BallField{"quadratic", [](double r) { return 1600.0 - r * r; },
                                                3.0 * 2.0 / 8.0 / 80.0}),
@@ -136,13 +137,15 @@ TEST_P(EveryGrid, MeetsTheExactCubicOfTheCell) {
   const auto [spacing, direction] = GetParam();
   // Steep at the surface and flat beside it: a straight line between two samples is far off.
   const auto volume = load(sampled_volume(
-      centred_geometry(glm::ivec3(96.0 / spacing), spacing, direction),
-      [](glm::dvec3 x) { return 1000.0 * std::tanh((kRadiusMm - glm::length(x)) / 1.5) + 400.0; }));
+      centred_geometry(glm::ivec3(96.0 / spacing), spacing, direction), [](glm::dvec3 x) {
+        return 1000.0 * std::tanh((kDepthRadiusMm - glm::length(x)) / 1.5) + 400.0;
+      }));
   const Scene scene = surface_scene(volume, "perspective");
   int looked_at = 0;
   double worst_mm = 0.0;
   each_pixel(scene, surface_of(scene, volume), [&](const ViewRay& ray, double distance_mm) {
-    if (beside_mm(ray) > 0.95 * kRadiusMm) return;  // grazing: a chord may be shorter than a step
+    if (beside_mm(ray) > 0.95 * kDepthRadiusMm)
+      return;  // grazing: a chord may be shorter than a step
     const auto expected_mm = reference::first_crossing_mm(volume->volume, ray, 0.0);
     ASSERT_TRUE(expected_mm);
     worst_mm = std::max(worst_mm, std::abs(distance_mm - *expected_mm));
@@ -157,13 +160,14 @@ INSTANTIATE_TEST_SUITE_P(Surface, EveryGrid,
                                           testing::Values(glm::dmat3(1.0), oblique_direction())));
 
 TEST(Surface, OfABallIsADiscToThePixelWhateverTheStep) {
-  const auto volume = load(sphere_volume(centred_geometry(96), kRadiusMm));
+  const auto volume = load(sphere_volume(centred_geometry(96), kDepthRadiusMm));
   const Scene scene = surface_scene(volume, "orthographic");
-  const double pixel_mm = 100.0 / kViewport.height_px;
+  const double pixel_mm = 100.0 / kDepthViewport.height_px;
   for (const double step_mm : {0.25, 0.5, 1.0, 2.0}) {
     // Trilinear values lie below a field that is concave: the surface is a little within the ball.
     // A ray whose chord is shorter than a step may stay between two samples.
-    const double least_mm = kRadiusMm - 1.0 / (4 * kRadiusMm) - step_mm * step_mm / (8 * kRadiusMm);
+    const double least_mm =
+        kDepthRadiusMm - 1.0 / (4 * kDepthRadiusMm) - step_mm * step_mm / (8 * kDepthRadiusMm);
     int covered = 0;
     int undecided = 0;
     each_pixel(scene, surface_of(scene, volume, step_mm),
@@ -171,14 +175,14 @@ TEST(Surface, OfABallIsADiscToThePixelWhateverTheStep) {
                  covered += distance_mm >= 0.0 ? 1 : 0;
                  if (beside_mm(ray) < least_mm) {
                    EXPECT_GE(distance_mm, 0.0);
-                 } else if (beside_mm(ray) > kRadiusMm) {
+                 } else if (beside_mm(ray) > kDepthRadiusMm) {
                    EXPECT_LT(distance_mm, 0.0);
                  } else {
                    ++undecided;
                  }
                });
     EXPECT_LE(undecided, 20) << step_mm;
-    const double area_px = M_PI * kRadiusMm * kRadiusMm / (pixel_mm * pixel_mm);
+    const double area_px = M_PI * kDepthRadiusMm * kDepthRadiusMm / (pixel_mm * pixel_mm);
     // Far within a ring of a pixel: the pixels of a disc of 64 miss its area by a few tens.
     EXPECT_NEAR(covered, area_px, 40) << step_mm;
   }

@@ -38,7 +38,7 @@ TEST(Registries, HoldWhatTheSchemaDescribes) {
   EXPECT_EQ(names_of(lens_shapes()), described("lens_shape"));
 }
 
-const std::shared_ptr<const LoadedVolume>& head() {
+const std::shared_ptr<const LoadedVolume>& swept_head() {
   static const auto volume = load(make_phantom({PhantomKind::head, 64}, {}, {}));
   return volume;
 }
@@ -53,9 +53,9 @@ TEST(Sweep, EveryFilterOnEitherBranch) {
     for (const char* branch : {"focus", "context"}) {
       Json document = without_filters();
       document[branch]["filters"] = {{{"name", name}}};
-      const Scene scene = scene_for(document, head(), {120, 90});
-      expect_like_reference("filter-" + name + "-" + branch, scene, head(), settings_for(scene),
-                            tolerance_for(scene));
+      const Scene scene = scene_for(document, swept_head(), {120, 90});
+      expect_like_reference("filter-" + name + "-" + branch, scene, swept_head(),
+                            settings_for(scene), tolerance_for(scene));
     }
   }
 }
@@ -65,9 +65,9 @@ TEST(Sweep, EveryShadingOnEitherBranch) {
     for (const char* branch : {"focus", "context"}) {
       Json document = without_filters();
       document[branch]["shading"] = {{"name", name}};
-      const Scene scene = scene_for(document, head(), {120, 90});
-      expect_like_reference("shading-" + name + "-" + branch, scene, head(), settings_for(scene),
-                            tolerance_for(scene));
+      const Scene scene = scene_for(document, swept_head(), {120, 90});
+      expect_like_reference("shading-" + name + "-" + branch, scene, swept_head(),
+                            settings_for(scene), tolerance_for(scene));
     }
   }
 }
@@ -125,10 +125,10 @@ void sweep_parameters(const char* kind, const std::function<Json(Json module)>& 
       Json usual = premise_of(name);
       usual["name"] = module.at("name");
       const auto scene_with = [&](const Json& chosen) {
-        return scene_for(place(chosen), head(), {96, 72});
+        return scene_for(place(chosen), swept_head(), {96, 72});
       };
       const auto draw = [&](const Scene& scene) {
-        return GpuHarness::instance().render(scene, head(), settings_for(scene)).rgba;
+        return GpuHarness::instance().render(scene, swept_head(), settings_for(scene)).rgba;
       };
       const auto plain = draw(scene_with(usual));
       bool has_an_effect = false;
@@ -136,7 +136,7 @@ void sweep_parameters(const char* kind, const std::function<Json(Json module)>& 
         Json chosen = usual;
         chosen[name] = value;
         const Scene scene = scene_with(chosen);
-        expect_like_reference(std::string(kind) + "-" + json_text(chosen), scene, head(),
+        expect_like_reference(std::string(kind) + "-" + json_text(chosen), scene, swept_head(),
                               settings_for(scene), tolerance_at_extremes(scene));
         has_an_effect = has_an_effect || draw(scene) != plain;
       }
@@ -179,8 +179,8 @@ TEST(Sweep, EveryParameterOfLenses) {
 
 TEST(Sweep, EveryStyle) {
   for (const Style& style : styles()) {
-    const Scene scene = scene_for(style.scene, head(), {120, 90});
-    expect_like_reference("style-" + style.name, scene, head(), settings_for(scene),
+    const Scene scene = scene_for(style.scene, swept_head(), {120, 90});
+    expect_like_reference("style-" + style.name, scene, swept_head(), settings_for(scene),
                           tolerance_for(scene));
   }
 }

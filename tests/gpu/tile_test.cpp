@@ -13,13 +13,13 @@ namespace {
 
 constexpr Viewport kViewport{230, 170};
 
-struct Case {
+struct TileCase {
   const char* name;
   const char* scene;
   ViewKind kind = ViewKind::volume;
 };
 
-class Tiles : public testing::TestWithParam<Case> {};
+class Tiles : public testing::TestWithParam<TileCase> {};
 
 /// The largest difference of a channel between the tile's inner pixels and the whole picture's.
 int largest_difference(const BytePicture& whole, const BytePicture& tile, glm::ivec2 begin_px,
@@ -56,17 +56,19 @@ TEST_P(Tiles, AreThePictureThereOfTheWholeOne) {
   }
 }
 
-std::string case_name(const testing::TestParamInfo<Case>& tested) { return tested.param.name; }
+std::string tile_case_name(const testing::TestParamInfo<TileCase>& tested) {
+  return tested.param.name;
+}
 
 INSTANTIATE_TEST_SUITE_P(
     OfEachKind, Tiles,
-    testing::Values(Case{"flagship", "{}"},
-                    Case{"orthographic", R"({"camera": {"projection": "orthographic"}})"},
-                    Case{"magic", R"({"lens": {"mode": "magic"}})"},
-                    Case{"wide_filter",
-                         R"({"context": {"filters": [{"name": "kuwahara", "radius": 5}]}})"},
-                    Case{"axial", "{}", ViewKind::axial}),
-    case_name);
+    testing::Values(TileCase{"flagship", "{}"},
+                    TileCase{"orthographic", R"({"camera": {"projection": "orthographic"}})"},
+                    TileCase{"magic", R"({"lens": {"mode": "magic"}})"},
+                    TileCase{"wide_filter",
+                             R"({"context": {"filters": [{"name": "kuwahara", "radius": 5}]}})"},
+                    TileCase{"axial", "{}", ViewKind::axial}),
+    tile_case_name);
 
 }  // namespace
 }  // namespace cutaway::test

@@ -11,7 +11,7 @@
 namespace cutaway::test {
 namespace {
 
-constexpr Viewport kViewport{16, 16};
+constexpr Viewport kTableViewport{16, 16};
 
 /// Material behind the plane y = 0, which faces a viewer in front.
 const std::shared_ptr<const LoadedVolume>& wall() {
@@ -34,7 +34,7 @@ glm::ivec3 wall_colour(const Json& shading, double cosine) {
         {{"surface", {{"iso_value", 0}}}, {"shading", shading}, {"filters", Json::array()}}},
        {"lens", {{"mode", "none"}, {"centre_mm", {0, 0, 0}}, {"radius_mm", 1}}},
        {"light", {{"frame", "patient"}, {"direction", {sine, -cosine, 0.0}}}}},
-      wall(), kViewport);
+      wall(), kTableViewport);
   const BytePicture picture = GpuHarness::instance().render(scene, wall(), settings_for(scene));
   return picture.rgb({8, 8});
 }

@@ -9,7 +9,7 @@
 namespace cutaway::test {
 namespace {
 
-constexpr int kSide = 60;
+constexpr int kTranslucentSide = 60;
 
 /// Orthographic from the front, a millimetre a pixel; no lens: the context alone.
 Json front_view(const Json& context_surface) {
@@ -18,7 +18,7 @@ Json front_view(const Json& context_surface) {
             {"eye_mm", {0, -200, 0}},
             {"target_mm", {0, 0, 0}},
             {"up", {0, 0, 1}},
-            {"view_height_mm", kSide}}},
+            {"view_height_mm", kTranslucentSide}}},
           {"context", {{"surface", context_surface}, {"filters", Json::array()}}},
           {"focus", {{"filters", Json::array()}}},
           {"lens", {{"mode", "none"}, {"centre_mm", {0, 0, 0}}, {"radius_mm", 10}}}};
@@ -34,15 +34,15 @@ std::vector<glm::vec4> layers(const Scene& scene, const std::shared_ptr<const Lo
 }
 
 const glm::vec4& at(const std::vector<glm::vec4>& texels, int x, int y) {
-  return texels[static_cast<std::size_t>(y) * kSide + x];
+  return texels[static_cast<std::size_t>(y) * kTranslucentSide + x];
 }
 
 TEST(Translucency, AHomogeneousBlockTakesWhatItsThicknessSays) {
   const auto volume = load(constant_volume(centred_geometry({41, 11, 41}, {1.0, 0.7, 2.0}), 100.0));
   const double thickness_mm = 10 * 0.7;
   for (const double opacity : {0.02, 0.3, 0.9}) {
-    const Scene scene =
-        scene_for(front_view({{"iso_value", 0}, {"opacity", opacity}}), volume, {kSide, kSide});
+    const Scene scene = scene_for(front_view({{"iso_value", 0}, {"opacity", opacity}}), volume,
+                                  {kTranslucentSide, kTranslucentSide});
     const double expected = 1.0 - std::pow(1.0 - opacity, thickness_mm);
     // Rays end where nothing more could be seen.
     for (const double step : {0.25, 0.5, 1.0, 2.0})
@@ -53,8 +53,8 @@ TEST(Translucency, AHomogeneousBlockTakesWhatItsThicknessSays) {
 TEST(Translucency, ABallTakesWhatEachChordSays) {
   const auto volume = load(sphere_volume(centred_geometry(64), 25.0));
   const double opacity = 0.04;
-  const Scene scene =
-      scene_for(front_view({{"iso_value", 0}, {"opacity", opacity}}), volume, {kSide, kSide});
+  const Scene scene = scene_for(front_view({{"iso_value", 0}, {"opacity", opacity}}), volume,
+                                {kTranslucentSide, kTranslucentSide});
   for (const double step : {0.5, 1.0}) {
     const auto result = layers(scene, volume, step);
     for (int x = 8; x < 52; x += 4) {
@@ -69,7 +69,7 @@ TEST(Translucency, ABallTakesWhatEachChordSays) {
 TEST(Translucency, AThinShellIsNotTooThinForTheStep) {
   const auto volume = load(sphere_volume(centred_geometry(64), 25.0));
   const Json shell = {{"iso_value", 0.0}, {"upper_value", 0.05}, {"opacity", 0.9}};
-  const Scene scene = scene_for(front_view(shell), volume, {kSide, kSide});
+  const Scene scene = scene_for(front_view(shell), volume, {kTranslucentSide, kTranslucentSide});
   const double expected = 1.0 - std::pow(0.1, 2 * 0.05);  // through the middle, twice
   for (const double step : {0.25, 0.5, 1.0, 2.0})
     EXPECT_NEAR(at(layers(scene, volume, step), 30, 30).a, expected, 0.01) << step;
@@ -82,7 +82,7 @@ TEST(Translucency, BranchesShareOneTransmittance) {
   Json document = front_view({{"iso_value", shells.skin_iso_hu}, {"opacity", 0.05}});
   document["focus"]["surface"] = {{"iso_value", shells.bone_iso_hu}};
   document["lens"] = {{"mode", "cutaway"}, {"centre_mm", {0, -25, 0}}, {"radius_mm", 8}};
-  const Scene scene = scene_for(document, volume, {kSide, kSide});
+  const Scene scene = scene_for(document, volume, {kTranslucentSide, kTranslucentSide});
   const auto context = layers(scene, volume, 0.5);
   const auto focus = layers(scene, volume, 0.5, kFocus);
   const double through_skin = std::pow(0.95, 7.0);  // from 40 to the lens' front at 33
@@ -100,9 +100,9 @@ TEST(Translucency, BranchesShareOneTransmittance) {
 TEST(Translucency, AnOpaqueBranchBesideATranslucentOneLooksAsItDoesAlone) {
   const auto volume = load(shells_volume(centred_geometry(80)));
   Json document = front_view(Json::object());
-  const Scene opaque = scene_for(document, volume, {kSide, kSide});
+  const Scene opaque = scene_for(document, volume, {kTranslucentSide, kTranslucentSide});
   document["focus"]["surface"] = {{"opacity", 0.5}};  // not shown: there is no lens
-  const Scene beside = scene_for(document, volume, {kSide, kSide});
+  const Scene beside = scene_for(document, volume, {kTranslucentSide, kTranslucentSide});
   GpuHarness& gpu = GpuHarness::instance();
   const auto difference = compare(gpu.render(beside, volume, settings_for(beside)),
                                   gpu.render(opaque, volume, settings_for(opaque)));
@@ -113,7 +113,7 @@ TEST(Translucency, OpacityZeroIsNotThere) {
   const auto volume = load(shells_volume(centred_geometry(64)));
   Json document = front_view({{"opacity", 0.0}});
   document["background"] = {{"colour", {0.2, 0.4, 0.6}}};
-  const Scene scene = scene_for(document, volume, {kSide, kSide});
+  const Scene scene = scene_for(document, volume, {kTranslucentSide, kTranslucentSide});
   const BytePicture picture = GpuHarness::instance().render(scene, volume, settings_for(scene));
   EXPECT_EQ(picture.rgb({30, 30}), glm::ivec3(51, 102, 153));
 }
@@ -124,7 +124,7 @@ TEST(Translucency, SkippingEmptySpaceChangesNothing) {
   Json document = front_view({{"iso_value", 0.0}, {"upper_value", 2.0}, {"opacity", 0.2}});
   document["focus"]["surface"] = {{"iso_value", 2.0}, {"opacity", 0.6}};
   document["lens"] = {{"mode", "cutaway"}, {"centre_mm", {25, 0, 0}}, {"radius_mm", 15}};
-  const Scene scene = scene_for(document, volume, {kSide, kSide});
+  const Scene scene = scene_for(document, volume, {kTranslucentSide, kTranslucentSide});
   RenderSettings settings = settings_for(scene);
   GpuHarness& gpu = GpuHarness::instance();
   const BytePicture skipping = gpu.render(scene, volume, settings);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "core/released_pages.h"
 #include "import/refusal.h"
 
 namespace cutaway::reading {
@@ -22,6 +23,14 @@ void ByteSource::replace_by(std::string bytes) {
   is_unpacked_ = true;
   is_filled_ = false;
   size_ = unpacked_.size();
+}
+
+void ByteSource::forget_before(std::uint64_t offset) {
+  const std::uint64_t end = std::min<std::uint64_t>(offset, unpacked_.size());
+  if (end <= forgotten_) return;
+  const auto unpacked = std::as_writable_bytes(std::span(unpacked_));
+  release_pages(unpacked.subspan(forgotten_, end - forgotten_));
+  forgotten_ = end;
 }
 
 std::string_view ByteSource::peek(std::uint64_t offset, std::uint64_t bytes) {

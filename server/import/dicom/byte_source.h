@@ -23,6 +23,9 @@ class ByteSource {
   /// What comes from here on is `bytes` instead of the file's, from place 0 on.
   void replace_by(std::string bytes);
 
+  /// Gives back what is unpacked up to there; it is not read again.
+  void forget_before(std::uint64_t offset);
+
   /// At most kMostPeeked of them; zeros behind the end. Valid until the next call.
   std::string_view peek(std::uint64_t offset, std::uint64_t bytes);
   static constexpr std::uint64_t kMostPeeked = 4096;
@@ -42,6 +45,7 @@ class ByteSource {
   std::ifstream input_;
   std::string unpacked_;
   bool is_unpacked_ = false;
+  std::uint64_t forgotten_ = 0;
   std::uint64_t size_ = 0;
   std::vector<char> piece_;
   std::uint64_t begin_ = 0;

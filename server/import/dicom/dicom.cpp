@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "core/released_pages.h"
 #include "import/data_root.h"
 #include "import/decode_memory.h"
 #include "import/dicom/pixels.h"
@@ -175,13 +176,13 @@ std::vector<std::vector<std::size_t>> turns_of(const DicomGroup& group) {
   return turns;
 }
 
-/// Frames are decoded beside each other in half of what the volume itself takes, and a little.
+/// Frames are decoded beside each other in a third of what the volume itself takes, and a little.
 int threads_for(const DicomGroup& group) {
-  constexpr std::uint64_t kLittleBytes = std::uint64_t{48} << 20;
-  constexpr std::uint64_t kCopies = 4;  // packed, in the codec, as its picture, as bytes
+  constexpr std::uint64_t kLittleBytes = std::uint64_t{24} << 20;
+  constexpr std::uint64_t kFrameCopies = 4;  // packed, in the codec, as its picture, as bytes
   const std::uint64_t frame = std::max<std::uint64_t>(frame_bytes(group), 1);
-  const std::uint64_t room = kLittleBytes + frame * group.frames.size() / 2;
-  const std::uint64_t fit = std::max<std::uint64_t>(room / (kCopies * frame), 1);
+  const std::uint64_t room = kLittleBytes + frame * group.frames.size() / 3;
+  const std::uint64_t fit = std::max<std::uint64_t>(room / (kFrameCopies * frame), 1);
   return static_cast<int>(std::min<std::uint64_t>(decode_threads(frame), fit));
 }
 
@@ -190,26 +191,34 @@ struct Decoded {
   PaddingMask padding;
 };
 
+/// A file that is unpacked as a whole goes away as its frames, in its order, become voxels.
+void decode_turn(const DicomGroup& group, std::vector<std::size_t> slices, Decoded& decoded) {
+  const DicomImage& image = *group.frames[slices.front()].image;
+  const std::size_t slice_voxels = std::size_t(image.size_px.x) * image.size_px.y;
+  std::ranges::sort(slices, {}, [&](std::size_t k) { return group.frames[k].index; });
+  PixelFile pixels(group.frames[slices.front()].image);
+  for (const std::size_t k : slices) {
+    store_frame(pixels, group.frames[k], k * slice_voxels, decoded.voxels, decoded.padding);
+    pixels.forget(group.frames[k].index);
+  }
+}
+
 Decoded decode(const DicomGroup& group, const ReadContext& context) {
   const glm::ivec2 size = group.frames.front().image->size_px;
   const std::size_t slice_voxels = std::size_t(size.x) * size.y;
   Decoded decoded{make_raw_voxels(voxel_type(group), slice_voxels * group.frames.size()), {}};
-  if (declares_padding(group)) decoded.padding.resize(count_of(decoded.voxels));
+  release_pages(bytes_of(decoded.voxels));  // zeros that take no memory until they are written over
+  if (declares_padding(group)) decoded.padding = PaddingMask(count_of(decoded.voxels));
   const auto turns = turns_of(group);
-  const auto decode_turn = [&](int i) {
-    const auto& slices = turns[static_cast<std::size_t>(i)];
-    PixelFile pixels(group.frames[slices.front()].image);
-    for (const std::size_t k : slices)
-      store_frame(pixels, group.frames[k], k * slice_voxels, decoded.voxels, decoded.padding);
-  };
   const auto report = [&](double fraction) {
     if (context.progress) context.progress(LoadStage::decode, fraction);
   };
-  run_parallel({.count = static_cast<int>(turns.size()),
-                .turn = decode_turn,
-                .progress = report,
-                .threads = threads_for(group)},
-               context.stop);
+  run_parallel(
+      {.count = static_cast<int>(turns.size()),
+       .turn = [&](int i) { decode_turn(group, turns[static_cast<std::size_t>(i)], decoded); },
+       .progress = report,
+       .threads = threads_for(group)},
+      context.stop);
   return decoded;
 }
 
@@ -257,8 +266,11 @@ RawVolume read_dicom(const VolumeSource& source, const ReadContext& context) {
         "{} pixels are padding outside of the image; each was set to the smallest value", padded));
   }
   leave_out_useless_window(raw);
-  if (plan.needs_resampling)
-    raw.voxels = resample(raw.voxels, stack_of(group), plan, raw.slope, context.stop);
+  if (plan.needs_resampling) {
+    const PaddingMask* padding = decoded.padding.empty() ? nullptr : &decoded.padding;
+    raw.voxels = resample(std::move(raw.voxels), stack_of(group), plan,
+                          {raw.slope, raw.intercept, padding}, context.stop);
+  }
   return raw;
 }
 

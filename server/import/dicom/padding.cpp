@@ -30,7 +30,7 @@ std::size_t replace(const std::filesystem::path& file, const PaddingMask& paddin
                     std::vector<T>& values) {
   std::optional<T> smallest;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (padding[i]) continue;
+    if (padding.holds(i)) continue;
     const bool is_smaller = !smallest || (inverted ? values[i] > *smallest : values[i] < *smallest);
     if (is_smaller) smallest = values[i];
   }
@@ -40,7 +40,7 @@ std::size_t replace(const std::filesystem::path& file, const PaddingMask& paddin
   }
   std::size_t replaced = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!padding[i]) continue;
+    if (!padding.holds(i)) continue;
     values[i] = *smallest;
     ++replaced;
   }

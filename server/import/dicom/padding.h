@@ -3,11 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <vector>
 
+#include "import/padding_mask.h"
 #include "import/raw_voxels.h"
 
 namespace cutaway::reading {
@@ -24,10 +23,6 @@ struct PixelPadding {
 
 /// Nothing where the image declares none. `component` is what its pixels are of.
 std::optional<PixelPadding> pixel_padding(const DataSet& data, Component component);
-
-/// Which voxels of a volume are padding, 1 or 0; empty where no image of it declares any. Bytes,
-/// for several threads write to it at once, which a vector of bits does not bear.
-using PaddingMask = std::vector<std::uint8_t>;
 
 /// Gives the padding the smallest real value among the other voxels, so that it does not widen the
 /// value range; returns how many there were. A negative slope makes the largest number the smallest

@@ -171,6 +171,11 @@ std::string PixelFile::packed(int frame) {
   return bytes;
 }
 
+void PixelFile::forget(int frame) {
+  const Place place = place_of(frame);
+  source_.forget_before(place.offset + place.bytes);
+}
+
 PlainFrame PixelFile::plain(int frame) {
   if (header_.pixels->is_in_fragments) {
     return unpacked({image_->file, header_.transfer_syntax, packing_, image_->size_px.x,

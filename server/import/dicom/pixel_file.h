@@ -20,6 +20,9 @@ class PixelFile {
   std::string packed(int frame);
   PlainFrame plain(int frame);
 
+  /// Neither this frame nor what lies before it in the file is asked for again.
+  void forget(int frame);
+
   /// Of how long the frame is and of the bytes in its middle: cheap, and different for most frames
   /// of one syntax that differ.
   std::string glimpse(int frame);

@@ -41,7 +41,7 @@ void convert(const PlainFrame& plain, const DicomFrame& frame, std::size_t first
   const auto& declared = frame.image->padding;
   for (std::size_t i = 0; i < output.size(); ++i) {
     const From value = stored_value<From>(plain.bytes.data() + i * sizeof(From), plain.bits);
-    if (declared && declared->contains(static_cast<double>(value))) padding[first + i] = 1;
+    if (declared && declared->contains(static_cast<double>(value))) padding.mark(first + i);
     output[i] = converted<From, To>(value, frame.meaning);
   }
 }

@@ -15,14 +15,14 @@ namespace cutaway::reading {
 
 namespace {
 
-constexpr double kAxisTolerance = 1e-3;
+constexpr double kGeometryTolerance = 1e-3;
 
-bool is_close(glm::dvec3 a, glm::dvec3 b) { return glm::length(a - b) < kAxisTolerance; }
+bool is_close(glm::dvec3 a, glm::dvec3 b) { return glm::length(a - b) < kGeometryTolerance; }
 
 bool same_pixel_grid(const DicomFrame& a, const DicomFrame& b) {
   return a.image->size_px == b.image->size_px && is_close(a.row_axis, b.row_axis) &&
          is_close(a.column_axis, b.column_axis) &&
-         glm::length(a.spacing_mm - b.spacing_mm) < kAxisTolerance * glm::length(a.spacing_mm);
+         glm::length(a.spacing_mm - b.spacing_mm) < kGeometryTolerance * glm::length(a.spacing_mm);
 }
 
 /// The plane's anatomical name, by its normal's largest component.

@@ -10,7 +10,7 @@ namespace cutaway::reading {
 
 namespace {
 
-constexpr std::size_t kPieceBytes = std::size_t{256} << 10;
+constexpr std::size_t kInputPieceBytes = std::size_t{256} << 10;
 
 }  // namespace
 
@@ -62,13 +62,13 @@ std::size_t ByteStream::read_file(std::span<std::byte> bytes) {
 }
 
 bool ByteStream::refill_input() {
-  input_buffer_.resize(kPieceBytes);
+  input_buffer_.resize(kInputPieceBytes);
   input_ = std::span(input_buffer_).first(read_file(input_buffer_));
   return !input_.empty();
 }
 
 std::size_t ByteStream::decompress_some(std::span<std::byte> bytes) {
-  const std::size_t wanted = std::min(bytes.size(), kPieceBytes);
+  const std::size_t wanted = std::min(bytes.size(), kInputPieceBytes);
   std::span<std::byte> output = bytes.first(wanted);
   while (output.size() == wanted) {
     if (input_.empty() && !refill_input()) break;  // cut off: the caller sees too few bytes

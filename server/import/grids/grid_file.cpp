@@ -110,9 +110,10 @@ RawVolume read_grid_file(const GridFile& grid, const VolumeSource& source,
   raw.description.warnings = laid_out.warnings;
   raw.geometry = laid_out.plan.geometry;
   raw.voxels = read_voxel_data(grid.data, values_of_a_volume(grid), context);
-  if (grid.channels > 1) raw.voxels = reduce_channels(raw.voxels, grid.channels, grid.meaning);
+  if (grid.channels > 1) reduce_channels(raw.voxels, grid.channels, grid.meaning);
   if (laid_out.plan.needs_resampling) {
-    raw.voxels = resample(raw.voxels, laid_out.stack, laid_out.plan, grid.slope, context.stop);
+    raw.voxels = resample(std::move(raw.voxels), laid_out.stack, laid_out.plan,
+                          {.slope = grid.slope, .intercept = grid.intercept}, context.stop);
   }
   raw.slope = grid.slope;
   raw.intercept = grid.intercept;

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kPieceBytes = std::size_t{1} << 20;
+constexpr std::size_t kVoxelPieceBytes = std::size_t{1} << 20;
 
 Compression compression_of(Encoding encoding) {
   if (encoding == Encoding::deflated) return Compression::deflate;
@@ -72,7 +72,7 @@ class Share {
 
   void read_binary(std::span<std::byte> output) {
     for (std::size_t done = 0; done < output.size();) {
-      const auto piece = output.subspan(done, std::min(kPieceBytes, output.size() - done));
+      const auto piece = output.subspan(done, std::min(kVoxelPieceBytes, output.size() - done));
       const std::size_t got = stream_.read(piece);
       done += got;
       if (got < piece.size()) refuse_short(file_, output.size(), done);
@@ -115,7 +115,7 @@ class Share {
 
   std::optional<char> next_character() {
     if (position_ == text_.size()) {
-      text_.resize(kPieceBytes);
+      text_.resize(kVoxelPieceBytes);
       text_.resize(stream_.read(std::as_writable_bytes(std::span(text_))));
       position_ = 0;
       report();

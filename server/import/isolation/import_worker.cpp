@@ -14,7 +14,7 @@
 #include <span>
 
 #include "core/process.h"
-#include "core/released_pages.h"
+#include "import/isolation/voxel_transfer.h"
 #include "import/isolation/worker_protocol.h"
 #include "import/scan.h"
 
@@ -32,14 +32,6 @@ void keep_harmless() {
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   std::ofstream("/proc/self/oom_score_adj") << 1000;
   forbid_core_dumps();  // last: of such a process that file is root's
-}
-
-void write_all(int descriptor, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written <= 0) throw std::runtime_error("the answer cannot be written");
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
 }
 
 void report(const char* kind, const Json& content) {
@@ -66,23 +58,11 @@ class ThrottledProgress {
   Clock::time_point reported_;
 };
 
-/// What lies in the memory file is no longer needed here: else there would be two of each voxel.
-template <typename T>
-void hand_over(std::vector<T> voxels) {
-  constexpr std::size_t kPieceBytes = std::size_t{16} << 20;
-  std::span<std::byte> rest = std::as_writable_bytes(std::span(voxels));
-  while (!rest.empty()) {
-    const auto piece = rest.first(std::min(kPieceBytes, rest.size()));
-    write_all(kVoxelDescriptor, piece);
-    release_pages(piece);
-    rest = rest.subspan(piece.size());
-  }
-}
-
 void read_for(const Json& job, const ImportLimits& limits) {
   VolumeHead head{read_volume(source_from(job.at("read")), limits, ThrottledProgress(), {}), false};
   head.is_float = std::holds_alternative<std::vector<float>>(head.volume.voxels);
-  std::visit([](auto& voxels) { hand_over(std::move(voxels)); }, head.volume.voxels);
+  std::visit([](auto& voxels) { hand_over(std::move(voxels), kVoxelDescriptor); },
+             head.volume.voxels);
   report("volume", to_json(head));
 }
 

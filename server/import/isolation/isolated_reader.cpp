@@ -1,14 +1,11 @@
 #include "import/isolation/isolated_reader.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "import/decode_memory.h"
 #include "import/isolation/supervision.h"
+#include "import/isolation/voxel_transfer.h"
 #include "import/refusal.h"
 
 namespace cutaway {
@@ -33,28 +30,6 @@ std::uint64_t memory_for(const VolumeSource& source, const ImportLimits& limits)
   return bytes;
 }
 
-/// By reading, not mapping: the child could cut a mapped file under us.
-template <typename T>
-std::vector<T> take_voxels(const Descriptor& file, std::size_t count) {
-  struct stat status {};
-  const std::size_t bytes = count * sizeof(T);
-  if (fstat(file.get(), &status) != 0 || static_cast<std::size_t>(status.st_size) != bytes) {
-    throw Error({.code = ErrorCode::volume_refused,
-                 .message = "its reader delivered another number of voxels"});
-  }
-  std::vector<T> voxels(count);
-  const std::span target = std::as_writable_bytes(std::span(voxels));
-  for (std::size_t done = 0; done < bytes;) {
-    const ssize_t got =
-        pread(file.get(), target.data() + done, bytes - done, static_cast<off_t>(done));
-    if (got <= 0)
-      throw Error({.code = ErrorCode::volume_refused,
-                   .message = "its reader's voxels cannot be taken over"});
-    done += static_cast<std::size_t>(got);
-  }
-  return voxels;
-}
-
 Volume take_volume(VolumeHead head, const Descriptor& file, const ImportLimits& limits) {
   Volume volume = std::move(head.volume);
   const glm::ivec3 size = volume.geometry.size_voxels;
@@ -63,10 +38,10 @@ Volume take_volume(VolumeHead head, const Descriptor& file, const ImportLimits& 
   if (count > limits.volume_bytes)
     throw Error({.code = ErrorCode::too_large, .message = "its reader delivered too many voxels"});
   if (!head.is_float) {
-    volume.voxels = take_voxels<std::uint16_t>(file, count);
+    volume.voxels = take_over<std::uint16_t>(file, count);
     return volume;
   }
-  auto voxels = take_voxels<float>(file, count);
+  auto voxels = take_over<float>(file, count);
   if (!std::all_of(voxels.begin(), voxels.end(), [](float v) { return std::isfinite(v); })) {
     throw Error({.code = ErrorCode::volume_refused,
                  .message = "its reader delivered values that are no numbers"});

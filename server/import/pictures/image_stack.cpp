@@ -212,6 +212,36 @@ Listing find_image_stacks(std::span<const fs::path> files, const ScanContext& co
   return listing;
 }
 
+namespace {
+
+/// Page after page; one of several channels is reduced before the next is read.
+RawVoxels read_pages(const Stack& stack, const ReadContext& context) {
+  const PixelLayout& layout = stack.first.layout;
+  const auto slices = static_cast<std::size_t>(stack.slice_count());
+  const std::size_t slice_values = std::size_t(layout.size_px.x) * layout.size_px.y;
+  const std::size_t slice_bytes = slice_values * component_bytes(layout.component);
+  const bool paged = stack.files.size() == 1;
+  RawVoxels voxels = make_raw_voxels(layout.component, slice_values * slices);
+  RawVoxels page;
+  for (std::size_t k = 0; k < slices; ++k) {
+    throw_if_cancelled(context.stop);
+    const auto target = bytes_of(voxels).subspan(k * slice_bytes, slice_bytes);
+    if (layout.channels > 1)
+      page = make_raw_voxels(layout.component, slice_values * layout.channels);
+    read_image_page(stack.files[paged ? 0 : k], stack.first.slice_pages[paged ? k : 0], layout,
+                    layout.channels > 1 ? bytes_of(page) : target);
+    if (layout.channels > 1) {
+      reduce_channels(page, layout.channels, Channels::colour);
+      std::ranges::copy(bytes_of(page), target.begin());
+    }
+    if (context.progress)
+      context.progress(LoadStage::decode, static_cast<double>(k + 1) / static_cast<double>(slices));
+  }
+  return voxels;
+}
+
+}  // namespace
+
 RawVolume read_image_stack(const VolumeSource& source, const ReadContext& context) {
   const auto open = [&](const fs::path& file) {
     throw_if_cancelled(context.stop);
@@ -219,30 +249,17 @@ RawVolume read_image_stack(const VolumeSource& source, const ReadContext& contex
   };
   const Stack stack = open_stack(source.files, context.limits, open);
   if (context.progress) context.progress(LoadStage::read, 1.0);
-  const PixelLayout& layout = stack.first.layout;
-  const auto slices = static_cast<std::size_t>(stack.slice_count());
-  const std::size_t slice_values =
-      std::size_t(layout.size_px.x) * layout.size_px.y * layout.channels;
   RawVolume raw;
   raw.description = source.description;
   raw.description.warnings = stack.warnings;
   raw.geometry = stack.plan.geometry;
-  raw.voxels = make_raw_voxels(layout.component, slice_values * slices);
-  const std::size_t slice_bytes = slice_values * component_bytes(layout.component);
-  for (std::size_t k = 0; k < slices; ++k) {
-    throw_if_cancelled(context.stop);
-    const bool paged = stack.files.size() == 1;
-    read_image_page(stack.files[paged ? 0 : k], stack.first.slice_pages[paged ? k : 0], layout,
-                    bytes_of(raw.voxels).subspan(k * slice_bytes, slice_bytes));
-    if (context.progress)
-      context.progress(LoadStage::decode, static_cast<double>(k + 1) / static_cast<double>(slices));
-  }
-  if (layout.channels > 1)
-    raw.voxels = reduce_channels(raw.voxels, layout.channels, Channels::colour);
-  if (stack.plan.needs_resampling)
-    raw.voxels = resample(raw.voxels, stack.slices, stack.plan, stack.sidecar.slope, context.stop);
   raw.slope = stack.sidecar.slope;
   raw.intercept = stack.sidecar.intercept;
+  raw.voxels = read_pages(stack, context);
+  if (stack.plan.needs_resampling) {
+    raw.voxels = resample(std::move(raw.voxels), stack.slices, stack.plan,
+                          {.slope = raw.slope, .intercept = raw.intercept}, context.stop);
+  }
   return raw;
 }
 

@@ -20,7 +20,7 @@ double degrees_or_0(const Json& parameters, const char* name) {
 
 /// The body's z towards the patient's front and its y upwards, then turned: azimuth to the
 /// patient's left, elevation upwards, roll about z.
-glm::dmat3 axes_of(const Json& parameters) {
+glm::dmat3 body_axes(const Json& parameters) {
   const double azimuth = degrees_or_0(parameters, "azimuth_degrees");
   const double elevation = degrees_or_0(parameters, "elevation_degrees");
   const double roll = degrees_or_0(parameters, "roll_degrees");
@@ -50,7 +50,7 @@ LensBody::LensBody(const Lens& lens)
     : body_(find_lens_shape(lens.shape.name).body),
       centre_mm_(lens.centre_mm),
       half_edges_mm_(
-          stretched(axes_of(lens.shape.parameters), half_size_mm(lens.shape, lens.radius_mm))),
+          stretched(body_axes(lens.shape.parameters), half_size_mm(lens.shape, lens.radius_mm))),
       body_from_patient_(glm::inverse(half_edges_mm_)) {}
 
 LensBody LensBody::at(glm::dvec3 centre_mm, double size) const {

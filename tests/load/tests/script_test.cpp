@@ -109,14 +109,14 @@ TEST(Script, ErrorsOfBrokenTextAreInWords) {
             100U);
 }
 
-std::string content(const fs::path& path) {
+std::string text_of_file(const fs::path& path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
   return text.str();
 }
 
 /// The load script's fixtures of protocol/; the server's own tests leave them out.
-std::vector<fs::path> fixtures(const char* folder) {
+std::vector<fs::path> script_fixtures(const char* folder) {
   std::vector<fs::path> paths;
   for (const auto& entry :
        fs::directory_iterator(fs::path(CUTAWAY_SOURCE_DIR) / "protocol/fixtures" / folder)) {
@@ -126,15 +126,15 @@ std::vector<fs::path> fixtures(const char* folder) {
 }
 
 TEST(Script, ValidFixturesAreAccepted) {
-  EXPECT_FALSE(fixtures("valid").empty());
-  for (const fs::path& path : fixtures("valid"))
-    EXPECT_NO_THROW(parse_script(content(path))) << path;
+  EXPECT_FALSE(script_fixtures("valid").empty());
+  for (const fs::path& path : script_fixtures("valid"))
+    EXPECT_NO_THROW(parse_script(text_of_file(path))) << path;
 }
 
 TEST(Script, InvalidFixturesAreRefusedWithCodeAndField) {
-  EXPECT_FALSE(fixtures("invalid").empty());
-  for (const fs::path& path : fixtures("invalid")) {
-    const Json fixture = Json::parse(content(path));
+  EXPECT_FALSE(script_fixtures("invalid").empty());
+  for (const fs::path& path : script_fixtures("invalid")) {
+    const Json fixture = Json::parse(text_of_file(path));
     const auto detail = refusal(fixture.at("document").dump());
     EXPECT_EQ(detail.code, fixture.at("error").at("code").get<std::string>()) << path;
     EXPECT_EQ(detail.field, fixture.at("error").at("field").get<std::string>()) << path;

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<DicomSlice> ramp() { return ramp_series(4, {0, 0, 0}, {0, 0, 2}); }
+std::vector<DicomSlice> ramp_slices() { return ramp_series(4, {0, 0, 0}, {0, 0, 2}); }
 
 struct OddVr {
   const char* name;
@@ -24,7 +24,7 @@ struct OddVr {
 class DicomVr : public testing::TestWithParam<OddVr> {};
 
 TEST_P(DicomVr, ThatIsNotTheDictionarysIsTaken) {
-  auto slices = with_text(ramp(), GetParam().tag, GetParam().text);
+  auto slices = with_text(ramp_slices(), GetParam().tag, GetParam().text);
   for (auto& slice : slices) slice.vrs[GetParam().tag] = GetParam().vr;
   TemporaryFolder folder;
   write_series(folder.path(), slices);
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(DicomHeader, WithoutPreambleAndExtensionIsFound) {
   for (const Syntax syntax : {Syntax::explicit_little, Syntax::implicit, Syntax::big_endian}) {
     TemporaryFolder folder;
-    write_series(folder.path(), ramp());
+    write_series(folder.path(), ramp_slices());
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder.path())) files.push_back(entry.path());
     for (std::size_t k = 0; k < files.size(); ++k) {
@@ -82,7 +82,7 @@ TEST(DicomHeader, UnreadTransferSyntaxesAreCalledByTheirNames) {
       {"1.2.840.10008.1.2.4.94", "JPIP"},   {"1.2.3.4.5.6", "1.2.3.4.5.6"}};
   for (const auto& [uid, name] : syntaxes) {
     TemporaryFolder folder;
-    write_dicom(folder / "a.dcm", ramp().front());
+    write_dicom(folder / "a.dcm", ramp_slices().front());
     rename_syntax(folder / "a.dcm", uid);
     const std::string reason = only_refusal(folder.path());
     EXPECT_NE(reason.find("transfer syntax"), std::string::npos) << reason;
@@ -102,8 +102,8 @@ TEST(DicomHeader, ObjectsThatAreNoImagesAreCalledByTheirNames) {
       {"1.2.840.10008.5.1.4.1.1.104.1", "encapsulated document"}};
   for (const auto& [uid, name] : classes) {
     TemporaryFolder folder;
-    write_series(folder.path(), ramp());
-    DicomSlice other = ramp().front();
+    write_series(folder.path(), ramp_slices());
+    DicomSlice other = ramp_slices().front();
     other.storage_class = uid;
     write_dicom(folder / "other.dcm", other);
     const Listing listing = scan(folder.path());

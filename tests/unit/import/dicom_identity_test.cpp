@@ -15,7 +15,7 @@ constexpr DicomTag kSeriesNumber{0x0020, 0x0011};
 constexpr DicomTag kFrameOfReference{0x0020, 0x0052};
 constexpr DicomTag kKernel{0x0018, 0x1210};
 constexpr DicomTag kThickness{0x0018, 0x0050};
-constexpr DicomTag kInstanceNumber{0x0020, 0x0013};
+constexpr DicomTag kNumberInSeries{0x0020, 0x0013};
 constexpr DicomTag kAcquisitionTime{0x0008, 0x0032};
 
 std::vector<int> depths_of(const Listing& listing) {
@@ -183,7 +183,7 @@ TEST(DicomMoments, TimesThatDifferAtEachSliceRunOn) {
                            [](DicomSlice& slice, int t, int k) {
                              slice.texts[kAcquisitionTime] =
                                  std::to_string(100000 + t) + ".0" + std::to_string(k);
-                             slice.texts[kInstanceNumber] = std::to_string(t * 4 + k + 1);
+                             slice.texts[kNumberInSeries] = std::to_string(t * 4 + k + 1);
                            }),
                  12, 4);
 }
@@ -201,7 +201,7 @@ TEST(DicomMoments, ATableThatGoesToAndFroIsFollowed) {
 TEST(DicomMoments, InstanceNumbersAloneTellThem) {
   expect_moments(perfusion(3, 5,
                            [](DicomSlice& slice, int t, int k) {
-                             slice.texts[kInstanceNumber] = std::to_string(t * 5 + k + 1);
+                             slice.texts[kNumberInSeries] = std::to_string(t * 5 + k + 1);
                            }),
                  3, 5);
 }
@@ -209,14 +209,14 @@ TEST(DicomMoments, InstanceNumbersAloneTellThem) {
 TEST(DicomMoments, AScannerThatStaysAtAPlaceForAllOfThemIsFollowed) {
   expect_moments(perfusion(3, 5,
                            [](DicomSlice& slice, int t, int k) {
-                             slice.texts[kInstanceNumber] = std::to_string(k * 3 + t + 1);
+                             slice.texts[kNumberInSeries] = std::to_string(k * 3 + t + 1);
                            }),
                  3, 5);
 }
 
 TEST(DicomMoments, ASliceThatIsMissingMovesNoneToAnotherTime) {
   auto slices = perfusion(3, 6, [](DicomSlice& slice, int t, int k) {
-    slice.texts[kInstanceNumber] = std::to_string(t * 6 + k + 1);
+    slice.texts[kNumberInSeries] = std::to_string(t * 6 + k + 1);
   });
   slices.erase(slices.begin() + 2);
   TemporaryFolder folder;

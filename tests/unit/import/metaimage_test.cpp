@@ -8,7 +8,7 @@
 namespace cutaway::test {
 namespace {
 
-constexpr glm::ivec3 kSize(4, 3, 5);
+constexpr glm::ivec3 kGridSize(4, 3, 5);
 const glm::dmat3 kSteps(0, 1.5, 0, 0, 0, -2, 2.5, 0, 0);
 const glm::dvec3 kOrigin(-10, 20, 35.5);
 
@@ -19,16 +19,18 @@ std::string header(const std::string& data_file, const std::string& rest = "") {
          rest + "ElementDataFile = " + data_file + "\n";
 }
 
-std::vector<std::int16_t> ramp() {
-  const auto values = ramp_values(kSize, kSteps, kOrigin);
+std::vector<std::int16_t> metaimage_ramp() {
+  const auto values = ramp_values(kGridSize, kSteps, kOrigin);
   return {values.begin(), values.end()};
 }
 
-std::string ramp_bytes(bool big_endian = false) { return bytes_of_numbers(ramp(), big_endian); }
+std::string ramp_bytes(bool big_endian = false) {
+  return bytes_of_numbers(metaimage_ramp(), big_endian);
+}
 
 void expect_ramp_of(const std::filesystem::path& path) {
   const Volume volume = read_only_volume(path);
-  EXPECT_EQ(volume.geometry.size_voxels, kSize);
+  EXPECT_EQ(volume.geometry.size_voxels, kGridSize);
   EXPECT_EQ(volume.geometry.spacing_mm, glm::dvec3(1.5, 2, 2.5));
   EXPECT_EQ(volume.description.format, "MetaImage");
   EXPECT_TRUE(volume.description.warnings.empty());
@@ -83,7 +85,7 @@ TEST(MetaImage, ReadsSlicesInFilesOfTheirOwn) {
 
 TEST(MetaImage, ReadsText) {
   std::string text;
-  for (const auto value : ramp()) text += std::to_string(value) + " ";
+  for (const auto value : metaimage_ramp()) text += std::to_string(value) + " ";
   TemporaryFolder folder;
   std::string bytes = header("LOCAL");
   bytes.replace(bytes.find("BinaryData = True"), 17, "BinaryData = False");
@@ -123,7 +125,7 @@ TEST(MetaImage, TakesModalityRescaleAndUnits) {
   const Volume volume = read_only_volume(folder.path());
   EXPECT_EQ(volume.description.modality, "CT");
   EXPECT_EQ(volume.description.units, "HU");
-  EXPECT_EQ(value_at(volume, {0, 0, 0}), 2 * ramp()[0] - 1000);
+  EXPECT_EQ(value_at(volume, {0, 0, 0}), 2 * metaimage_ramp()[0] - 1000);
 }
 
 TEST(MetaImage, WithoutSpacingWarns) {

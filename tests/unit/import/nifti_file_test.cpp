@@ -158,13 +158,13 @@ TEST(Nifti, CallsPlainHounsfieldValuesCtAndSaysSo) {
   EXPECT_TRUE(has_warning(volume.description, "Hounsfield"));
 }
 
-struct Broken {
+struct BrokenFile {
   const char* name;
   std::function<std::string()> bytes;
   const char* reason;
 };
 
-class BrokenNifti : public testing::TestWithParam<Broken> {};
+class BrokenNifti : public testing::TestWithParam<BrokenFile> {};
 
 TEST_P(BrokenNifti, IsListedWithItsReason) {
   TemporaryFolder folder;
@@ -182,83 +182,85 @@ std::string changed(const std::function<void(NiftiFile&)>& change) {
 INSTANTIATE_TEST_SUITE_P(
     Files, BrokenNifti,
     testing::Values(
-        Broken{"empty", [] { return std::string(); }, "empty"},
-        Broken{"short_header", [] { return NiftiFile().header().substr(0, 100); },
-               "at least 348 bytes"},
-        Broken{"not_nifti", [] { return std::string(600, 'x'); }, "header size of 348 or 540"},
-        Broken{"analyze", [] { return changed([](auto& n) { n.magic = ""; }); }, "n+1"},
-        Broken{"truncated", [] { return changed([](auto&) {}).substr(0, 600); },
-               "shorter than its header says"},
+        BrokenFile{"empty", [] { return std::string(); }, "empty"},
+        BrokenFile{"short_header", [] { return NiftiFile().header().substr(0, 100); },
+                   "at least 348 bytes"},
+        BrokenFile{"not_nifti", [] { return std::string(600, 'x'); }, "header size of 348 or 540"},
+        BrokenFile{"analyze", [] { return changed([](auto& n) { n.magic = ""; }); }, "n+1"},
+        BrokenFile{"truncated", [] { return changed([](auto&) {}).substr(0, 600); },
+                   "shorter than its header says"},
         // 452 bytes that declare 70 TB.
-        Broken{"bomb",
-               [] {
-                 NiftiFile nifti{.dim = {32000, 32000, 32000}, .datatype = 4};
-                 return nifti.with(std::string(100, '\0'));
-               },
-               "59.6 TiB"},
-        Broken{"lying_gzip",
-               [] {
-                 NiftiFile nifti{.dim = {1000, 1000, 1000}, .datatype = 4};
-                 return gzip(nifti.with(std::string(1000, '\0')));
-               },
-               "shorter than its header says"},
+        BrokenFile{"bomb",
+                   [] {
+                     NiftiFile nifti{.dim = {32000, 32000, 32000}, .datatype = 4};
+                     return nifti.with(std::string(100, '\0'));
+                   },
+                   "59.6 TiB"},
+        BrokenFile{"lying_gzip",
+                   [] {
+                     NiftiFile nifti{.dim = {1000, 1000, 1000}, .datatype = 4};
+                     return gzip(nifti.with(std::string(1000, '\0')));
+                   },
+                   "shorter than its header says"},
         // The header's own bytes are no voxels.
-        Broken{"offset_in_header", [] { return changed([](auto& n) { n.voxel_offset = 16; }); },
-               "got 16"},
-        Broken{"offset_before_extensions",
-               [] { return changed([](auto& n) { n.voxel_offset = 351; }); },
-               "expected 0, or from 352 bytes on"},
-        Broken{"offset_in_header_2",
-               [] {
-                 return changed([](auto& n) {
-                   n.version = 2;
-                   n.voxel_offset = 540;
-                 });
-               },
-               "expected 0, or from 544 bytes on"},
-        Broken{"negative_offset", [] { return changed([](auto& n) { n.voxel_offset = -4; }); },
-               "got -4"},
-        Broken{"nan_offset", [] { return changed([](auto& n) { n.voxel_offset = NAN; }); },
-               "vox_offset"},
-        Broken{"offset_beyond_the_file",
-               [] { return changed([](auto& n) { n.voxel_offset = 1e6; }); },
-               "shorter than its header says"},
-        Broken{"negative_extent", [] { return changed([](auto& n) {
-                                         n.dim = {-4, 5, 6};
-                                       }); },
-               "empty grid"},
-        Broken{"single_slice", [] { return changed([](auto& n) {
-                                      n.dim = {4, 5};
-                                    }); },
-               "single slice"},
-        Broken{"complex", [] { return changed([](auto& n) { n.datatype = 32; }); }, "data type 32"},
-        Broken{"nan_sform", [] { return changed([](auto& n) { n.s_steps[0][0] = NAN; }); },
-               "not usable"},
-        Broken{"zero_sform", [] { return changed([](auto& n) {
-                                    n.s_steps[2] = {0, 0, 0};
-                                  }); },
-               "not usable"},
-        Broken{"nan_origin", [] { return changed([](auto& n) { n.s_origin.y = NAN; }); },
-               "not usable"},
-        Broken{"flat_sform", [] { return changed([](auto& n) { n.s_steps[1] = n.s_steps[0]; }); },
-               "right angles"},
-        Broken{"negative_pixdim",
-               [] {
-                 return changed([](auto& n) {
-                   n.sform_code = 0;
-                   n.qform_code = 1;
-                   n.pixdim[2] = -1;
-                 });
-               },
-               "got -1"},
-        Broken{"zero_pixdim",
-               [] {
-                 return changed([](auto& n) {
-                   n.sform_code = 0;
-                   n.pixdim[1] = 0;
-                 });
-               },
-               "above 0"}),
+        BrokenFile{"offset_in_header", [] { return changed([](auto& n) { n.voxel_offset = 16; }); },
+                   "got 16"},
+        BrokenFile{"offset_before_extensions",
+                   [] { return changed([](auto& n) { n.voxel_offset = 351; }); },
+                   "expected 0, or from 352 bytes on"},
+        BrokenFile{"offset_in_header_2",
+                   [] {
+                     return changed([](auto& n) {
+                       n.version = 2;
+                       n.voxel_offset = 540;
+                     });
+                   },
+                   "expected 0, or from 544 bytes on"},
+        BrokenFile{"negative_offset", [] { return changed([](auto& n) { n.voxel_offset = -4; }); },
+                   "got -4"},
+        BrokenFile{"nan_offset", [] { return changed([](auto& n) { n.voxel_offset = NAN; }); },
+                   "vox_offset"},
+        BrokenFile{"offset_beyond_the_file",
+                   [] { return changed([](auto& n) { n.voxel_offset = 1e6; }); },
+                   "shorter than its header says"},
+        BrokenFile{"negative_extent", [] { return changed([](auto& n) {
+                                             n.dim = {-4, 5, 6};
+                                           }); },
+                   "empty grid"},
+        BrokenFile{"single_slice", [] { return changed([](auto& n) {
+                                          n.dim = {4, 5};
+                                        }); },
+                   "single slice"},
+        BrokenFile{"complex", [] { return changed([](auto& n) { n.datatype = 32; }); },
+                   "data type 32"},
+        BrokenFile{"nan_sform", [] { return changed([](auto& n) { n.s_steps[0][0] = NAN; }); },
+                   "not usable"},
+        BrokenFile{"zero_sform", [] { return changed([](auto& n) {
+                                        n.s_steps[2] = {0, 0, 0};
+                                      }); },
+                   "not usable"},
+        BrokenFile{"nan_origin", [] { return changed([](auto& n) { n.s_origin.y = NAN; }); },
+                   "not usable"},
+        BrokenFile{"flat_sform",
+                   [] { return changed([](auto& n) { n.s_steps[1] = n.s_steps[0]; }); },
+                   "right angles"},
+        BrokenFile{"negative_pixdim",
+                   [] {
+                     return changed([](auto& n) {
+                       n.sform_code = 0;
+                       n.qform_code = 1;
+                       n.pixdim[2] = -1;
+                     });
+                   },
+                   "got -1"},
+        BrokenFile{"zero_pixdim",
+                   [] {
+                     return changed([](auto& n) {
+                       n.sform_code = 0;
+                       n.pixdim[1] = 0;
+                     });
+                   },
+                   "above 0"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Nifti, CutOffGzipFailsWithWords) {

@@ -9,14 +9,14 @@
 namespace cutaway::test {
 namespace {
 
-constexpr glm::ivec2 kSize{5, 4};
+constexpr glm::ivec2 kPageSize{5, 4};
 
 /// Plane p has the value 100 p + i + 10 j at column i and row j.
 std::string planes(int count, bool big_endian = false) {
   std::vector<std::uint16_t> values;
   for (int p = 0; p < count; ++p) {
-    for (int j = 0; j < kSize.y; ++j) {
-      for (int i = 0; i < kSize.x; ++i)
+    for (int j = 0; j < kPageSize.y; ++j) {
+      for (int i = 0; i < kPageSize.x; ++i)
         values.push_back(static_cast<std::uint16_t>(100 * p + i + 10 * j));
     }
   }
@@ -36,7 +36,7 @@ Volume read_tiff(const TiffPicture& picture) {
 
 /// The slices are these pages, in this order.
 void expect_slices(const Volume& volume, const std::vector<int>& expected) {
-  ASSERT_EQ(volume.geometry.size_voxels, glm::ivec3(kSize, static_cast<int>(expected.size())));
+  ASSERT_EQ(volume.geometry.size_voxels, glm::ivec3(kPageSize, static_cast<int>(expected.size())));
   for (std::size_t k = 0; k < expected.size(); ++k)
     EXPECT_EQ(value_at(volume, {2, 1, static_cast<int>(k)}), 100 * expected[k] + 12) << k;
 }
@@ -48,7 +48,7 @@ std::string ome(const std::string& pixels, const std::string& content = "") {
          pixels + ">" + content + "</Pixels></Image></OME>";
 }
 
-struct Text {
+struct DescribedPage {
   const char* name;
   std::string description;
   int pages;
@@ -56,7 +56,7 @@ struct Text {
   std::string warning;  ///< part of; empty for no word of channels and times
 };
 
-class PagesOfATiff : public testing::TestWithParam<Text> {};
+class PagesOfATiff : public testing::TestWithParam<DescribedPage> {};
 
 TEST_P(PagesOfATiff, AreSlicesOfOneChannelAndTime) {
   const Volume volume = read_tiff(pages(GetParam().pages, GetParam().description));
@@ -69,67 +69,70 @@ TEST_P(PagesOfATiff, AreSlicesOfOneChannelAndTime) {
 INSTANTIATE_TEST_SUITE_P(
     Texts, PagesOfATiff,
     testing::Values(
-        Text{"imagej_stack", "ImageJ=1.53t\nimages=4\nslices=4\n", 4, {0, 1, 2, 3}, ""},
-        Text{"imagej_without_slices", "ImageJ=1.53t\nimages=4\n", 4, {0, 1, 2, 3}, ""},
-        Text{"imagej_channels",
-             "ImageJ=1.53t\nimages=6\nchannels=3\nslices=2\nhyperstack=true\n",
-             6,
-             {0, 3},
-             "3 channels; the first is shown"},
-        Text{"imagej_times",
-             "ImageJ=1.53t\nimages=6\nslices=2\nframes=3\n",
-             6,
-             {0, 1},
-             "3 times; the first is shown"},
-        Text{"imagej_all",
-             "ImageJ=1.53t\nimages=12\nchannels=2\nslices=3\nframes=2\n",
-             12,
-             {0, 2, 4},
-             "2 channels"},
-        Text{"imagej_implied_slices",
-             "ImageJ=1.53t\nimages=6\nchannels=3\n",
-             6,
-             {0, 3},
-             "3 channels"},
-        Text{"imagej_film", "ImageJ=1.53t\nimages=4\nframes=4\n", 4, {0, 1, 2, 3}, "times"},
-        Text{"imagej_of_another_file",
-             "ImageJ=1.53t\nimages=8\nchannels=2\nslices=4\n",
-             4,
-             {0, 1, 2, 3},
-             "speaks of 8 planes"},
-        Text{"ome_zct",
-             ome("DimensionOrder=\"XYZCT\" SizeZ=\"3\" SizeC=\"2\" SizeT=\"1\""),
-             6,
-             {0, 1, 2},
-             "2 channels"},
-        Text{"ome_czt",
-             ome("SizeZ=\"3\" SizeC=\"2\" SizeT=\"1\" DimensionOrder=\"XYCZT\""),
-             6,
-             {0, 2, 4},
-             "2 channels"},
-        Text{"ome_tzc",
-             ome("DimensionOrder='XYTZC' SizeZ='3' SizeC='1' SizeT='2'"),
-             6,
-             {0, 2, 4},
-             "2 times"},
-        Text{"ome_tiff_data",
-             ome("DimensionOrder=\"XYZCT\" SizeZ=\"3\" SizeC=\"1\" SizeT=\"1\"",
-                 "<TiffData FirstZ=\"0\" IFD=\"2\"/><TiffData FirstZ=\"1\" IFD=\"1\"/><TiffData "
-                 "FirstZ=\"2\" IFD=\"0\"/>"),
-             3,
-             {2, 1, 0},
-             ""},
-        Text{"tifffile_axes",
-             R"({"shape": [3, 2, 4, 5], "axes": "ZCYX"})",
-             6,
-             {0, 2, 4},
-             "2 channels"},
-        Text{"tifffile_times_first",
-             R"({"axes": "TZYX", "shape": [2, 3, 4, 5]})",
-             6,
-             {0, 1, 2},
-             "2 times"},
-        Text{"tifffile_shape_alone", R"({"shape": [6, 4, 5]})", 6, {0, 1, 2, 3, 4, 5}, ""}),
+        DescribedPage{"imagej_stack", "ImageJ=1.53t\nimages=4\nslices=4\n", 4, {0, 1, 2, 3}, ""},
+        DescribedPage{"imagej_without_slices", "ImageJ=1.53t\nimages=4\n", 4, {0, 1, 2, 3}, ""},
+        DescribedPage{"imagej_channels",
+                      "ImageJ=1.53t\nimages=6\nchannels=3\nslices=2\nhyperstack=true\n",
+                      6,
+                      {0, 3},
+                      "3 channels; the first is shown"},
+        DescribedPage{"imagej_times",
+                      "ImageJ=1.53t\nimages=6\nslices=2\nframes=3\n",
+                      6,
+                      {0, 1},
+                      "3 times; the first is shown"},
+        DescribedPage{"imagej_all",
+                      "ImageJ=1.53t\nimages=12\nchannels=2\nslices=3\nframes=2\n",
+                      12,
+                      {0, 2, 4},
+                      "2 channels"},
+        DescribedPage{"imagej_implied_slices",
+                      "ImageJ=1.53t\nimages=6\nchannels=3\n",
+                      6,
+                      {0, 3},
+                      "3 channels"},
+        DescribedPage{
+            "imagej_film", "ImageJ=1.53t\nimages=4\nframes=4\n", 4, {0, 1, 2, 3}, "times"},
+        DescribedPage{"imagej_of_another_file",
+                      "ImageJ=1.53t\nimages=8\nchannels=2\nslices=4\n",
+                      4,
+                      {0, 1, 2, 3},
+                      "speaks of 8 planes"},
+        DescribedPage{"ome_zct",
+                      ome("DimensionOrder=\"XYZCT\" SizeZ=\"3\" SizeC=\"2\" SizeT=\"1\""),
+                      6,
+                      {0, 1, 2},
+                      "2 channels"},
+        DescribedPage{"ome_czt",
+                      ome("SizeZ=\"3\" SizeC=\"2\" SizeT=\"1\" DimensionOrder=\"XYCZT\""),
+                      6,
+                      {0, 2, 4},
+                      "2 channels"},
+        DescribedPage{"ome_tzc",
+                      ome("DimensionOrder='XYTZC' SizeZ='3' SizeC='1' SizeT='2'"),
+                      6,
+                      {0, 2, 4},
+                      "2 times"},
+        DescribedPage{
+            "ome_tiff_data",
+            ome("DimensionOrder=\"XYZCT\" SizeZ=\"3\" SizeC=\"1\" SizeT=\"1\"",
+                "<TiffData FirstZ=\"0\" IFD=\"2\"/><TiffData FirstZ=\"1\" IFD=\"1\"/><TiffData "
+                "FirstZ=\"2\" IFD=\"0\"/>"),
+            3,
+            {2, 1, 0},
+            ""},
+        DescribedPage{"tifffile_axes",
+                      R"({"shape": [3, 2, 4, 5], "axes": "ZCYX"})",
+                      6,
+                      {0, 2, 4},
+                      "2 channels"},
+        DescribedPage{"tifffile_times_first",
+                      R"({"axes": "TZYX", "shape": [2, 3, 4, 5]})",
+                      6,
+                      {0, 1, 2},
+                      "2 times"},
+        DescribedPage{
+            "tifffile_shape_alone", R"({"shape": [6, 4, 5]})", 6, {0, 1, 2, 3, 4, 5}, ""}),
     [](const auto& test) { return test.param.name; });
 
 /// As ImageJ writes what is larger than 4 GB.
@@ -153,24 +156,24 @@ TEST(PagesOfATiff, ThatAreNotThereAreMissed) {
             std::string::npos);
 }
 
-struct Unit {
+struct UnitCase {
   std::string unit;
   double millimetres;
 };
 
 TEST(UnitOfATiff, IsKnownInItsManySpellings) {
-  for (const auto& [unit, mm] : std::vector<Unit>{{"nm", 1e-6},
-                                                  {"um", 1e-3},
-                                                  {"micron", 1e-3},
-                                                  {"microns", 1e-3},
-                                                  {"\xC2\xB5m", 1e-3},
-                                                  {"\xB5m", 1e-3},
-                                                  {"\xCE\xBCm", 1e-3},
-                                                  {"\\u00B5m", 1e-3},
-                                                  {"mm", 1.0},
-                                                  {"cm", 10.0},
-                                                  {"inch", 25.4},
-                                                  {"Angstrom", 1e-7}}) {
+  for (const auto& [unit, mm] : std::vector<UnitCase>{{"nm", 1e-6},
+                                                      {"um", 1e-3},
+                                                      {"micron", 1e-3},
+                                                      {"microns", 1e-3},
+                                                      {"\xC2\xB5m", 1e-3},
+                                                      {"\xB5m", 1e-3},
+                                                      {"\xCE\xBCm", 1e-3},
+                                                      {"\\u00B5m", 1e-3},
+                                                      {"mm", 1.0},
+                                                      {"cm", 10.0},
+                                                      {"inch", 25.4},
+                                                      {"Angstrom", 1e-7}}) {
     SCOPED_TRACE(unit);
     TiffPicture picture = pages(3, "ImageJ=1.53t\nimages=3\nspacing=40.0\nunit=" + unit + "\n");
     picture.resolution = {2, 4};
@@ -205,7 +208,7 @@ TEST(UnitOfATiff, OfOmeIsItsOwn) {
 
 /// Each of the eight: where the pixel that is seen at column 1, row 2 is stored.
 TEST(OrientationOfATiff, TurnsThePictureAsItIsToBeSeen) {
-  const glm::ivec2 last = kSize - 1;
+  const glm::ivec2 last = kPageSize - 1;
   const auto stored = [last](int orientation, int x, int y) -> glm::ivec2 {
     switch (orientation) {
       case 2:
@@ -234,7 +237,7 @@ TEST(OrientationOfATiff, TurnsThePictureAsItIsToBeSeen) {
     const Volume volume = read_tiff(picture);
     const bool transposed = orientation > 4;
     EXPECT_EQ(volume.geometry.size_voxels,
-              transposed ? glm::ivec3(kSize.y, kSize.x, 2) : glm::ivec3(kSize, 2));
+              transposed ? glm::ivec3(kPageSize.y, kPageSize.x, 2) : glm::ivec3(kPageSize, 2));
     EXPECT_EQ(volume.geometry.spacing_mm.x, transposed ? 0.25 : 0.5);
     const glm::ivec2 from = stored(orientation, 1, 2);
     EXPECT_EQ(value_at(volume, {1, 2, 1}), 100 + from.x + 10 * from.y);

@@ -208,6 +208,53 @@ TEST(Admission, HoldersOfEverythingLeaveRoomForAnotherWithinAMinute) {
   EXPECT_EQ(seated(holders), 63);
 }
 
+/// It comes back every few seconds, as pages do.
+TEST(Admission, WithoutAQueueTheShareBindsForThoseWhoComeBack) {
+  Admission admission({.seats = 4, .queue = 0, .idle_seat = seconds(1000)});
+  std::deque<Guest> own;
+  fill(own, admission, 4, "class");
+  for (const int i : {0, 1, 3}) own[i].ticket->heard(true, kStart + seconds(5));
+  for (int second = 10; second < 30; second += 5) {
+    EXPECT_EQ(Guest(admission, "home", seconds(second)).refusal, Admission::Refusal::full);
+    EXPECT_EQ(Guest(admission, "class", seconds(second)).refusal, Admission::Refusal::full);
+  }
+  EXPECT_EQ(seated(own), 4);
+  Guest home(admission, "home", seconds(30));
+  EXPECT_TRUE(home.is_seated());
+  EXPECT_EQ(own[2].why, Why::over_share);
+  EXPECT_EQ(Guest(admission, "class", seconds(60)).refusal, Admission::Refusal::full)
+      << "who gave way has no claim";
+  EXPECT_TRUE(home.is_seated());
+}
+
+TEST(Admission, WithoutAQueueASeatThatComesFreeIsForWhoWasTurnedAway) {
+  Admission admission({.seats = 2, .queue = 0});
+  std::deque<Guest> own;
+  fill(own, admission, 2, "class");
+  EXPECT_EQ(Guest(admission, "home").refusal, Admission::Refusal::full);
+  own[0].ticket.reset();
+  EXPECT_EQ(Guest(admission, "class", seconds(1)).refusal, Admission::Refusal::full);
+  EXPECT_TRUE(Guest(admission, "home", seconds(10)).is_seated());
+}
+
+TEST(Admission, WithoutAQueueAClaimEndsWithTheComingBack) {
+  Admission admission({.seats = 2, .queue = 0, .idle_seat = seconds(1000)});
+  std::deque<Guest> own;
+  fill(own, admission, 2, "class");
+  EXPECT_EQ(Guest(admission, "home").refusal, Admission::Refusal::full);
+  own[0].ticket.reset();
+  EXPECT_TRUE(Guest(admission, "class", seconds(60)).is_seated());
+}
+
+TEST(Admission, WithoutAQueueAHiddenSilentSeatGivesWayToWhoComes) {
+  Admission admission({.seats = 1, .queue = 0});
+  Guest hidden(admission);
+  EXPECT_EQ(Guest(admission, "a", seconds(29)).refusal, Admission::Refusal::full);
+  Guest next(admission, "a", seconds(31));
+  EXPECT_TRUE(next.is_seated());
+  EXPECT_EQ(hidden.why, Why::idle);
+}
+
 TEST(Admission, AnAddressHasNoMoreThanItMay) {
   Admission admission({.seats = 8, .queue = 8, .per_address = 2});
   Guest first(admission);

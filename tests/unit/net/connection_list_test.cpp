@@ -15,12 +15,12 @@ struct Connection final : OpenConnection {
   bool aborted = false;
 };
 
-ClientAddress address(const std::string& name) { return {name, name, false}; }
+ClientAddress address_of(const std::string& name) { return {name, name, false}; }
 
 /// One that came from `group`, if there was room for it.
 struct Client {
   Client(ConnectionList& list, const std::string& group)
-      : place(list.add(connection, address(group))) {}
+      : place(list.add(connection, address_of(group))) {}
   Client(ConnectionList& list, const std::string& group, Use use) : Client(list, group) {
     if (place) place->is_used_as(use);
   }
@@ -88,8 +88,8 @@ TEST(ConnectionList, AnAddressHasNoMoreThanItMay) {
   EXPECT_FALSE(Client(list, "a").is_in());
   EXPECT_TRUE(Client(list, "b").is_in());
   const Client behind_proxy(list, "proxy");
-  EXPECT_FALSE(behind_proxy.place->belongs_to(address("a")));
-  EXPECT_TRUE(behind_proxy.place->belongs_to(address("c")));
+  EXPECT_FALSE(behind_proxy.place->belongs_to(address_of("a")));
+  EXPECT_TRUE(behind_proxy.place->belongs_to(address_of("c")));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace cutaway::testing {
 
 namespace {
 
-constexpr std::chrono::seconds kGenerous{30};
+constexpr std::chrono::seconds kGenerousTime{30};
 
 class NoTicket final : public OpenTicket {};
 
@@ -100,7 +100,7 @@ void ThreadedFrames::release(std::uint64_t view) {
 
 bool ThreadedFrames::wait_for_release(std::uint64_t view) {
   std::unique_lock lock(mutex_);
-  return changed_.wait_for(lock, kGenerous, [&] { return released_.contains(view); });
+  return changed_.wait_for(lock, kGenerousTime, [&] { return released_.contains(view); });
 }
 
 bool ThreadedFrames::is_released(std::uint64_t view) {

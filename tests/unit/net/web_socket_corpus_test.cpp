@@ -120,15 +120,15 @@ class Session {
   std::string received_;
 };
 
-struct Case {
+struct FrameCase {
   const char* name;
   std::string bytes;
   int code;
 };
 
-void expect_all(const std::vector<Case>& cases) {
+void expect_all_frames(const std::vector<FrameCase>& cases) {
   testing::TestServer server;
-  for (const Case& each : cases) {
+  for (const FrameCase& each : cases) {
     SCOPED_TRACE(each.name);
     Session session(server.port());
     session.send(each.bytes);
@@ -139,7 +139,7 @@ void expect_all(const std::vector<Case>& cases) {
 
 TEST(WebSocketCorpus, Frames) {
   const std::string text = R"({"type":"cancel_load"})";
-  expect_all({
+  expect_all_frames({
       {"a text", frame(kFinal | kText, text), kStaysOpen},
       {"reserved bit 1 (5.2)", frame(kFinal | 0x40 | kText, text), 1002},
       {"reserved bit 2", frame(kFinal | 0x20 | kText, text), 1002},
@@ -157,7 +157,7 @@ TEST(WebSocketCorpus, Frames) {
 }
 
 TEST(WebSocketCorpus, Lengths) {
-  expect_all({
+  expect_all_frames({
       {"125 bytes", frame(kFinal | kText, std::string(125, ' ')), kStaysOpen},
       {"126 bytes", frame(kFinal | kText, std::string(126, ' ')), kStaysOpen},
       {"65535 bytes", frame(kFinal | kText, std::string(65535, ' ')), kStaysOpen},
@@ -176,7 +176,7 @@ TEST(WebSocketCorpus, Lengths) {
 }
 
 TEST(WebSocketCorpus, Fragments) {
-  expect_all({
+  expect_all_frames({
       {"a text in parts", frame(kText, "{") + frame(kMore, " ") + frame(kFinal | kMore, "}"),
        kStaysOpen},
       {"empty parts", frame(kText, "") + frame(kMore, "") + frame(kFinal | kMore, ""), kStaysOpen},
@@ -195,7 +195,7 @@ TEST(WebSocketCorpus, Fragments) {
 TEST(WebSocketCorpus, ControlFrames) {
   std::string flood;
   for (int i = 0; i < 5000; ++i) flood += frame(kFinal | kPing, "ping");
-  expect_all({
+  expect_all_frames({
       {"a ping", frame(kFinal | kPing, "x"), kStaysOpen},
       {"a ping of 125 bytes", frame(kFinal | kPing, std::string(125, 'x')), kStaysOpen},
       {"a ping of 126 bytes (5.5)", frame(kFinal | kPing, std::string(126, 'x')), 1002},
@@ -206,7 +206,7 @@ TEST(WebSocketCorpus, ControlFrames) {
 }
 
 TEST(WebSocketCorpus, Utf8) {
-  expect_all({
+  expect_all_frames({
       {"umlauts", frame(kFinal | kText, "\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80"), kStaysOpen},
       {"a letter cut by the parts", frame(kText, "\xE2\x82") + frame(kFinal | kMore, "\xAC"),
        kStaysOpen},
@@ -221,7 +221,7 @@ TEST(WebSocketCorpus, Utf8) {
 }
 
 TEST(WebSocketCorpus, ClosesThatAreAnsweredAlike) {
-  std::vector<Case> cases = {
+  std::vector<FrameCase> cases = {
       {"no code", frame(kFinal | kClose, ""), 1000},
       {"a reason", close_frame(1000, "bye"), 1000},
       {"a reason of 123 bytes", close_frame(1001, std::string(123, 'x')), 1001}};
@@ -229,11 +229,11 @@ TEST(WebSocketCorpus, ClosesThatAreAnsweredAlike) {
        {1000, 1001, 1002, 1003, 1007, 1008, 1009, 1010, 1011, 1012, 1013, 3000, 3999, 4000, 4999}) {
     cases.push_back({"a code that may be sent (7.4)", close_frame(unsigned(code)), code});
   }
-  expect_all(cases);
+  expect_all_frames(cases);
 }
 
 TEST(WebSocketCorpus, ClosesThatAreNone) {
-  std::vector<Case> cases = {
+  std::vector<FrameCase> cases = {
       {"half a code (5.5.1)", frame(kFinal | kClose, "\x03"), 1002},
       {"a reason that is no UTF-8", close_frame(1000, "\xC3\x28"), 1002},
       {"a reason of 124 bytes", close_frame(1000, std::string(124, 'x')), 1002},
@@ -242,7 +242,7 @@ TEST(WebSocketCorpus, ClosesThatAreNone) {
        {0U, 1U, 999U, 1004U, 1005U, 1006U, 1015U, 1016U, 1100U, 2000U, 2999U, 5000U, 65535U}) {
     cases.push_back({"a code that must not be sent (7.4.2)", close_frame(code), 1002});
   }
-  expect_all(cases);
+  expect_all_frames(cases);
 }
 
 }  // namespace

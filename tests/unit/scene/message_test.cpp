@@ -78,7 +78,7 @@ TEST(ServerMessage, EachFollowsTheSchema) {
   for (const LoadEnd end : {LoadEnd::ready, LoadEnd::cancelled, LoadEnd::failed})
     expect_valid(loading_message("ball", end));
   expect_valid(picked_message(1, {}));
-  expect_valid(picked_message(1, PickedPoint{{1, 2, 3}, -100.0, "HU", PickedBranch::context}));
+  expect_valid(picked_message(1, PickedPoint{{1, 2, 3}, -100.0, "HU", PictureBranch::context}));
   const Scene scene = resolve_scene(Json::object(), ball_facts(), {640, 480});
   expect_valid(scene_message(4, 0, scene, summary()));
   expect_valid(scene_message(5, 4294967295U, scene));
@@ -89,7 +89,7 @@ TEST(ServerMessage, SaysWhichPartOfTheWireWords) {
       loading_message("v", LoadStage::min_max, 0.25),
       Json::parse(R"({"type": "loading", "volume": "v", "stage": "min_max", "fraction": 0.25})"));
   EXPECT_EQ(loading_message("v", LoadEnd::failed).at("stage"), "failed");
-  EXPECT_EQ(picked_message(1, PickedPoint{{}, 0.0, "HU", PickedBranch::context}).at("branch"),
+  EXPECT_EQ(picked_message(1, PickedPoint{{}, 0.0, "HU", PictureBranch::context}).at("branch"),
             "context");
   EXPECT_FALSE(picked_message(1, {}).contains("position_mm"));
 }

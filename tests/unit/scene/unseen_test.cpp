@@ -3,13 +3,20 @@
 #include <gtest/gtest.h>
 
 #include "scene/resolve.h"
+#include "scene/schema.h"
 #include "unit/scene/sphere_facts.h"
 
 namespace cutaway {
 namespace {
 
 std::vector<std::string> reasons(const Json& document, const VolumeFacts& facts = ball_facts()) {
-  return reasons_for_nothing(resolve_scene(document, facts, {640, 480}), facts);
+  std::vector<std::string> found;
+  for (const auto& reason :
+       reasons_for_nothing(resolve_scene(document, facts, {640, 480}), facts)) {
+    found.push_back(in_words(reason));
+    EXPECT_NO_THROW(validate(unseen_message({reason}), "server-message")) << found.back();
+  }
+  return found;
 }
 
 void expect_one(const std::vector<std::string>& found, const std::string& part) {

@@ -27,7 +27,7 @@ class PickTest : public ::testing::Test {
                   .radius_mm = 60.0};
   }
 
-  void expect_hit(glm::dvec2 position_px, PickedBranch branch, glm::dvec3 position_mm) const {
+  void expect_hit(glm::dvec2 position_px, PictureBranch branch, glm::dvec3 position_mm) const {
     const auto hit = pick(scene, volume, position_px);
     ASSERT_TRUE(hit.has_value());
     EXPECT_EQ(hit->branch, branch);
@@ -43,21 +43,21 @@ constexpr glm::dvec2 kMiddle{50.0, 50.0};
 
 TEST_F(PickTest, WithoutALensTheContextIsSeen) {
   scene.lens.mode = LensMode::none;
-  expect_hit(kMiddle, PickedBranch::context, {100.0, 0.0, 0.0});
+  expect_hit(kMiddle, PictureBranch::context, {100.0, 0.0, 0.0});
 }
 
 TEST_F(PickTest, ALensOfRadiusZeroLeavesTheContext) {
   scene.lens.radius_mm = 0.0;
-  expect_hit(kMiddle, PickedBranch::context, {100.0, 0.0, 0.0});
+  expect_hit(kMiddle, PictureBranch::context, {100.0, 0.0, 0.0});
 }
 
 TEST_F(PickTest, InsideTheLensTheFocusIsSeen) {
-  expect_hit(kMiddle, PickedBranch::focus, {50.0, 0.0, 0.0});
+  expect_hit(kMiddle, PictureBranch::focus, {50.0, 0.0, 0.0});
 }
 
 TEST_F(PickTest, TheFocusBehindTheLensIsNotSeenButTheWallOfTheCavityIs) {
   scene.lens.radius_mm = 30.0;
-  expect_hit(kMiddle, PickedBranch::context, {70.0, 0.0, 0.0});
+  expect_hit(kMiddle, PictureBranch::context, {70.0, 0.0, 0.0});
 }
 
 TEST_F(PickTest, AnOpenCapShowsNoWall) {
@@ -70,12 +70,12 @@ TEST_F(PickTest, TheFocusThatTheLensCutsIsCapped) {
   scene.lens.centre_mm = {0.0, 0.0, 0.0};
   scene.lens.radius_mm = 40.0;
   scene.context.surface.band.lower = 250.0;  // nowhere
-  expect_hit(kMiddle, PickedBranch::focus, {40.0, 0.0, 0.0});
+  expect_hit(kMiddle, PictureBranch::focus, {40.0, 0.0, 0.0});
 }
 
 TEST_F(PickTest, ContextInFrontOfTheLensHidesIt) {
   scene.lens.centre_mm = {0.0, 0.0, 0.0};
-  expect_hit(kMiddle, PickedBranch::context, {100.0, 0.0, 0.0});
+  expect_hit(kMiddle, PictureBranch::context, {100.0, 0.0, 0.0});
 }
 
 TEST_F(PickTest, ALensAroundEverythingShowsOnlyTheFocus) {
@@ -83,13 +83,13 @@ TEST_F(PickTest, ALensAroundEverythingShowsOnlyTheFocus) {
                 .shape = {"sphere", Json::object()},
                 .centre_mm = {0.0, 0.0, 0.0},
                 .radius_mm = 1000.0};
-  expect_hit(kMiddle, PickedBranch::focus, {50.0, 0.0, 0.0});
+  expect_hit(kMiddle, PictureBranch::focus, {50.0, 0.0, 0.0});
   EXPECT_EQ(pick(scene, volume, {70.0, 50.0}), std::nullopt);  // 80 mm from the middle
 }
 
 TEST_F(PickTest, BesideTheLensTheContextIsSeen) {
   // 80 mm up, where the ball's surface is at x = 60
-  expect_hit({50.0, 30.0}, PickedBranch::context, {60.0, 0.0, 80.0});
+  expect_hit({50.0, 30.0}, PictureBranch::context, {60.0, 0.0, 80.0});
 }
 
 TEST_F(PickTest, BesideTheVolumeThereIsNothing) {
@@ -103,7 +103,7 @@ TEST_F(PickTest, ACameraInsideTheFocusLooksThroughIt) {
                 .shape = {"sphere", Json::object()},
                 .centre_mm = {20.0, 0.0, 0.0},
                 .radius_mm = 10.0};
-  expect_hit(kMiddle, PickedBranch::context, {10.0, 0.0, 0.0});
+  expect_hit(kMiddle, PictureBranch::context, {10.0, 0.0, 0.0});
 }
 
 TEST_F(PickTest, TheLensIsDraggedOverTheContextAsIfItWereNotThere) {

@@ -1,5 +1,5 @@
-// What has to be said over the pictures: that there is none yet, or no connection, or that another
-// style is shown for comparison.
+// What has to be said over the pictures: that there is none yet, or no connection, that another
+// style is shown for comparison, or why nothing is to be seen.
 import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { lossInWords } from '../state/link_reason.ts';
@@ -18,6 +18,7 @@ export class PictureMessages extends SessionElement {
     'capabilities',
     'comparing',
     'stalled',
+    'unseen',
   ] as const;
 
   static override styles = [
@@ -45,6 +46,9 @@ export class PictureMessages extends SessionElement {
         box-shadow: var(--shadow);
         pointer-events: auto;
       }
+      .quiet {
+        pointer-events: none;
+      }
       .chip {
         position: absolute;
         top: 44px;
@@ -71,7 +75,8 @@ export class PictureMessages extends SessionElement {
   ];
 
   override render() {
-    return html`${this.emptyNote()} ${this.offlineBanner()} ${this.comparison()}`;
+    const over_the_top = this.offlineBanner() ?? this.comparison() ?? this.unseen();
+    return html`${this.emptyNote()} ${over_the_top ?? nothing}`;
   }
 
   private emptyNote() {
@@ -86,8 +91,18 @@ export class PictureMessages extends SessionElement {
     return html`<div class="empty">${text}</div>`;
   }
 
+  /** That nothing is to be seen is a word beside the picture, and in no one's way. */
+  private unseen() {
+    const { unseen, volume, loading } = this.state;
+    if (unseen.length === 0 || !volume || loading) return undefined;
+    const sentences = unseen.map((reason) => words().unseen[reason.code](reason));
+    return html`<div class="banner quiet" data-part="unseen" role="status">
+      <span>${sentences.join(' ')}</span>
+    </div>`;
+  }
+
   private comparison() {
-    if (!this.state.comparing) return nothing;
+    if (!this.state.comparing) return undefined;
     return html`<div class="chip" data-part="comparing">${words().page.comparing}</div>`;
   }
 
@@ -100,7 +115,7 @@ export class PictureMessages extends SessionElement {
     const loss = lossInWords(link);
     if (loss) return this.banner('reconnecting', texts.reconnecting(loss));
     const stalls = link.phase === 'connected' && this.state.stalled;
-    return stalls ? this.banner('stalled', texts.stalled) : nothing;
+    return stalls ? this.banner('stalled', texts.stalled) : undefined;
   }
 
   private banner(part: string, text: string, action = words().page.try_now) {

@@ -17,6 +17,7 @@ export type {
   SceneStateMessage,
   ServerMessage,
   Style,
+  UnseenReason,
   VolumeEntry,
   VolumeSummary,
   VolumesMessage,

@@ -6,7 +6,7 @@ import {
   type Scene,
   type SceneStateMessage,
 } from '../protocol/messages.ts';
-import { omit, type JsonObject } from '../state/merge_patch.ts';
+import { holdsNull, omit, type JsonObject } from '../state/merge_patch.ts';
 import { fieldsOf, leftOpen } from '../state/scene_fields.ts';
 import { SceneSync } from '../state/scene_sync.ts';
 import type { SlicePicture } from '../state/slice_views.ts';
@@ -29,6 +29,12 @@ const CHOSEN_FOR_A_VOLUME = leftOpen(fieldsOf('volume'));
 const changesVolume = (patch: JsonObject): boolean =>
   Object.keys(omit(patch, SLICES_GROUPS)).length > 0;
 
+interface Asked {
+  readonly input: number;
+  readonly again: () => void;
+  readonly opens_volume?: boolean;
+}
+
 export class SceneLink implements OutboxSender {
   private readonly inputs = new Counter();
   private readonly sync = new SceneSync();
@@ -38,6 +44,8 @@ export class SceneLink implements OutboxSender {
   private last_told: { readonly revision: number; readonly input: number } | undefined;
   /** Of this connection: revisions of the one before count for nothing. */
   private last_shown: ShownFrame | undefined;
+  /** The newest input, where its outcome is the server's to say and was not said yet. */
+  private asked: Asked | undefined;
 
   constructor(
     private readonly store: Store<ViewerState>,
@@ -66,10 +74,25 @@ export class SceneLink implements OutboxSender {
   sendPatch(patch: JsonObject): number {
     this.outbox.flush();
     const input = this.sendScene(patch, false);
+    if (holdsNull(patch)) this.asked = { input, again: () => this.sendPatch(patch) };
     this.sync.sent(input, patch);
     this.publish();
     this.remember(input);
     return input;
+  }
+
+  /**
+   * The server has left out some of what was sent, and nobody knows which: the scene goes out as the
+   * page has it, and then what was asked last. Not while a volume is opened, for which the server
+   * chooses what this would spell out.
+   */
+  repeat(): void {
+    this.outbox.flush();
+    const { asked } = this;
+    const { scene, volume } = this.store.state;
+    if (scene && volume && !asked?.opens_volume)
+      this.sendPatch(omit(scene as JsonObject, ['volume']));
+    asked?.again();
   }
 
   /**
@@ -79,12 +102,15 @@ export class SceneLink implements OutboxSender {
   openVolume(id: string): void {
     this.outbox.flush();
     this.sync.leaveOpen(CHOSEN_FOR_A_VOLUME);
-    this.sendScene({ volume: id }, false);
+    const input = this.sendScene({ volume: id }, false);
+    this.asked = { input, again: () => this.openVolume(id), opens_volume: true };
   }
 
   sendLensDrag(position_px: Point): void {
     this.sync.leaveOpen({ lens: { centre_mm: null } });
-    this.stream.send({ type: 'drag_lens', ...this.stamp(), position_px: [...position_px] });
+    const stamp = this.stamp();
+    this.stream.send({ type: 'drag_lens', ...stamp, position_px: [...position_px] });
+    this.asked = { input: stamp.input, again: () => this.sendLensDrag(position_px) };
   }
 
   sendViewport(view: ViewName, viewport: Viewport): void {
@@ -114,11 +140,13 @@ export class SceneLink implements OutboxSender {
     this.outbox.discard();
     this.last_told = undefined;
     this.last_shown = undefined;
+    this.asked = undefined;
     this.sync.restart(this.sync.scene);
     this.shown_views.restart(this.store.state.scene);
   }
 
   told(message: SceneStateMessage): void {
+    this.answered(message.input);
     this.sync.shown(message.input);
     this.sync.told(message.scene as JsonObject);
     this.publish();
@@ -148,6 +176,7 @@ export class SceneLink implements OutboxSender {
 
   refused(error: ErrorMessage): void {
     if (error.input === undefined) return;
+    this.answered(error.input);
     this.sync.refused(error.input);
     this.showsInput(error.input); // no picture will
     this.publish();
@@ -165,11 +194,22 @@ export class SceneLink implements OutboxSender {
     if (is_newest) this.showsInput(told.input);
   }
 
+  /** The server has begun to open the volume that was asked for, or has ended. */
+  heardOfOpening(): void {
+    if (this.asked?.opens_volume) this.asked = undefined;
+  }
+
+  /** The server speaks of an input that it had from here. */
+  private answered(input: number): void {
+    if (this.asked && !isAfter(this.asked.input, input)) this.asked = undefined;
+  }
+
   private showsInput(input: number): void {
     if (isAfter(input, this.store.state.shown_input)) this.store.update({ shown_input: input });
   }
 
   private sendScene(scene: JsonObject, replace: boolean): number {
+    this.asked = undefined;
     const stamp = this.stamp(replace || changesVolume(scene));
     this.stream.send({ type: 'scene', ...stamp, scene: { ...scene }, ...(replace && { replace }) });
     return stamp.input;

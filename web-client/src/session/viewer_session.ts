@@ -25,6 +25,7 @@ import { OwnStyling } from './own_styling.ts';
 import { Picker } from './picker.ts';
 import { Presence } from './presence.ts';
 import { PreviewRequests } from './preview_requests.ts';
+import { Resending } from './resending.ts';
 import { SceneLink } from './scene_link.ts';
 import { SceneOpening } from './scene_opening.ts';
 import type { PageParts, SessionParts } from './session_parts.ts';
@@ -67,6 +68,7 @@ export class ViewerSession {
   private readonly link: SceneLink;
   private readonly opening: SceneOpening;
   private readonly presence: Presence;
+  private readonly resending: Resending;
   /** As it came. */
   private readonly told: Told = { capabilities: undefined, volumes: [], volume: undefined };
   private readonly frame_rate = new FrameRate();
@@ -95,6 +97,8 @@ export class ViewerSession {
     this.preview_requests = new PreviewRequests(stream, requests);
     this.previews = new StylePreviews(this.store, this.preview_requests);
     this.volume_pictures = new VolumePictures(this.store, this.preview_requests);
+    const { presence, link, layout, picker } = this;
+    this.resending = new Resending(this.store, { presence, link, layout, picker });
     watchForStalls(this.store);
   }
 
@@ -143,7 +147,8 @@ export class ViewerSession {
     this.volume_pictures.restart();
     this.picker.restart();
     this.stills.interrupted();
-    this.store.update({ link });
+    this.resending.restart();
+    this.store.update({ link, unseen: [] });
     if (link.phase !== 'connected') return;
     this.told.capabilities = undefined;
     this.store.update({ loading: undefined, capabilities: undefined });
@@ -188,6 +193,8 @@ export class ViewerSession {
         return this.onError(message);
       case 'picked':
         return this.picker.arrived(message);
+      case 'unseen':
+        return this.store.update({ unseen: message.reasons });
     }
   }
 
@@ -199,6 +206,7 @@ export class ViewerSession {
   }
 
   private onLoading(loading: LoadingMessage): void {
+    this.link.heardOfOpening();
     this.store.update({ loading: LAST_STAGES.has(loading.stage) ? undefined : loading });
     if (loading.stage === 'cancelled') this.toasts.note(words().messages.opening_cancelled);
   }
@@ -206,6 +214,7 @@ export class ViewerSession {
   private onError(error: ErrorMessage): void {
     if (error.code === 'gave-way') return; // the end of the connection says so, too
     this.link.refused(error);
+    this.resending.refused(error);
     const answers_own = [
       this.opening.refused(error),
       this.preview_requests.refused(error.request),

@@ -6,6 +6,7 @@ import type {
   RefusedEntry,
   Scene,
   Style,
+  UnseenReason,
   VolumeEntry,
   VolumeSummary,
 } from '../protocol/messages.ts';
@@ -77,6 +78,8 @@ export interface ViewerState {
   readonly shown_scene: Scene | undefined;
   /** An input has waited long for its picture. */
   readonly stalled: boolean;
+  /** Why the 3-D picture shows nothing where something is expected, as the server says. */
+  readonly unseen: readonly UnseenReason[];
   readonly frames_per_second: number;
   /** By volume: as it first appears, small; or that there is none to be had. */
   readonly volume_pictures: ReadonlyMap<string, ImageBitmap | 'failed'>;
@@ -125,6 +128,7 @@ export const INITIAL_STATE: ViewerState = {
   shown: undefined,
   shown_scene: undefined,
   stalled: false,
+  unseen: [],
   frames_per_second: 0,
   volume_pictures: new Map(),
   previews: new Map(),

@@ -8,6 +8,7 @@ import { messages } from './english/messages.ts';
 import { page } from './english/page.ts';
 import { panel } from './english/panel.ts';
 import { slices } from './english/slices.ts';
+import { unseen } from './english/unseen.ts';
 import { numberIn } from './plural.ts';
 import { AS_SERVED, type ServedWords } from './served.ts';
 
@@ -28,5 +29,6 @@ export const english = {
   panel,
   served,
   slices,
+  unseen,
   volume_browser,
 };

@@ -9,6 +9,7 @@ import { page } from './german/page.ts';
 import { panel } from './german/panel.ts';
 import { slices } from './german/slices.ts';
 import { served } from './german/served.ts';
+import { unseen } from './german/unseen.ts';
 import { numberIn } from './plural.ts';
 import type { Words } from './words.ts';
 
@@ -26,5 +27,6 @@ export const german: Words = {
   panel,
   served,
   slices,
+  unseen,
   volume_browser,
 };

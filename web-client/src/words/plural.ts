@@ -21,3 +21,9 @@ export function numberIn(language: string): (value: number, digits?: number) => 
       maximumFractionDigits: digits,
     }).format(value);
 }
+
+/** As many digits as tell it from others, whatever its size. */
+export function valueIn(language: string): (value: number | undefined) => string {
+  const format = new Intl.NumberFormat(language, { maximumSignificantDigits: 6 });
+  return (value = 0) => format.format(value);
+}
