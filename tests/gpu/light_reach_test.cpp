@@ -1,5 +1,5 @@
-// Ambient light and shadow against closed forms: in the unit disc onto which the hemisphere is projected, what a wall or a
-// cavity leaves open is a segment or a circle.
+// Ambient light and shadow against closed forms: in the unit disc onto which the hemisphere is
+// projected, what a wall or a cavity leaves open is a segment or a circle.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace cutaway::test {
 namespace {
 
-constexpr Viewport kViewport{120, 120};
+constexpr Viewport kReachViewport{120, 120};
 constexpr double kSolid = 1000.0;
 constexpr double kPointSpread_mm = 0.7;
 
@@ -45,7 +45,7 @@ const Json kNoLens = {{"mode", "none"}, {"centre_mm", {0, 0, 0}}, {"radius_mm", 
 class Reach {
  public:
   Reach(const Json& document, const std::shared_ptr<const LoadedVolume>& volume)
-      : scene_(scene_for(document, volume, kViewport)) {
+      : scene_(scene_for(document, volume, kReachViewport)) {
     GpuHarness& gpu = GpuHarness::instance();
     RenderSettings settings = settings_for(scene_);
     settings.light = {.directions = 64, .samples = 32, .shadow_rays = 16, .shadow_samples = 64};
@@ -59,7 +59,7 @@ class Reach {
     glm::dvec2 sum(0.0);
     for (int i = 0; i < 9; ++i) {
       const glm::ivec2 pixel = glm::ivec2(middle) + glm::ivec2(i % 3 - 1, i / 3 - 1);
-      sum += glm::dvec2(values_.at(std::size_t(pixel.y) * kViewport.width_px + pixel.x));
+      sum += glm::dvec2(values_.at(std::size_t(pixel.y) * kReachViewport.width_px + pixel.x));
     }
     return sum / 9.0;
   }
@@ -83,7 +83,7 @@ TEST(LightReach, APlaneHasAllOfIt) {
 }
 
 TEST(LightReach, FallsTowardsAWallByTheClosedForm) {
-  const Reach reach(from_above({}, kNoLens),
+  const Reach reach(from_above(Json::object(), kNoLens),
                     body([](glm::dvec3 at) { return std::max(-at.z, -20.0 - at.x); }));
   for (const double distance : {3.0, 6.0, 10.0, 14.0}) {
     const double found = reach.at(-20.0 + distance, 0.0).x;
@@ -99,8 +99,9 @@ TEST(LightReach, OfACavityIsEverywhereTheOpeningsShare) {
   for (const double opening_degrees : {60.0, 90.0, 120.0}) {
     const double under_skin = kRadius * std::cos(glm::radians(opening_degrees));
     const Reach reach(
-        from_above({{"occlusion", {{"range_mm", 3.0 * kRadius}}}},
-                   {{"mode", "cutaway"}, {"centre_mm", {0, 0, -under_skin}}, {"radius_mm", kRadius}}),
+        from_above(
+            {{"occlusion", {{"range_mm", 3.0 * kRadius}}}},
+            {{"mode", "cutaway"}, {"centre_mm", {0, 0, -under_skin}}, {"radius_mm", kRadius}}),
         body([](glm::dvec3 at) { return -at.z; }));
     const double expected = 0.5 * (1.0 - std::cos(glm::radians(opening_degrees)));
     for (const double aside : {0.0, 8.0, 14.0}) {
@@ -119,7 +120,7 @@ TEST(LightReach, AShadowLiesBehindWhatStandsInTheLight) {
                       const double ball = 6.0 - glm::length(at - glm::dvec3(-15.0, 0.0, 15.0));
                       return std::max(-at.z, ball);
                     }));
-  EXPECT_LE(reach.at(0.0, 0.0).y, 0.05);   // the ball's middle throws it here
+  EXPECT_LE(reach.at(0.0, 0.0).y, 0.05);  // the ball's middle throws it here
   EXPECT_GE(reach.at(0.0, 20.0).y, 0.95);
   EXPECT_GE(reach.at(20.0, 0.0).y, 0.95);
 }
@@ -128,12 +129,12 @@ TEST(LightReach, AShadowLiesBehindWhatStandsInTheLight) {
 TEST(LightReach, OfNoStrengthIsNotLookedFor) {
   const auto volume = body([](glm::dvec3 at) { return std::max(-at.z, -20.0 - at.x); });
   const auto picture = [&](const Json& context) {
-    const Scene scene = scene_for(from_above(context, kNoLens), volume, kViewport);
+    const Scene scene = scene_for(from_above(context, kNoLens), volume, kReachViewport);
     return GpuHarness::instance().render(scene, volume, settings_for(scene)).rgba;
   };
   const auto without = picture({{"occlusion", nullptr}});
   EXPECT_EQ(picture({{"occlusion", {{"strength", 0}}}, {"shadow", {{"strength", 0}}}}), without);
-  EXPECT_NE(picture({}), without);
+  EXPECT_NE(picture(Json::object()), without);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Normals under a Gaussian, against what is known of a ball: near the truth without noise, where a sparse set of taps would
-// fail, and with noise, where neighbouring voxels do.
+// Normals under a Gaussian, against what is known of a ball: near the truth without noise, where a
+// sparse set of taps would fail, and with noise, where neighbouring voxels do.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace cutaway::test {
 namespace {
 
-constexpr Viewport kViewport{160, 160};
+constexpr Viewport kBallViewport{160, 160};
 constexpr double kRadius_mm = 20.3;
 constexpr double kContrast = 1000.0;
 constexpr double kPointSpread_voxels = 0.7;
@@ -43,7 +43,7 @@ Scene ball_scene(const std::shared_ptr<const LoadedVolume>& volume, double scale
                       {"normals", {{"scale_mm", scale_mm}}},
                       {"filters", Json::array()}}},
                     {"lens", {{"mode", "none"}, {"centre_mm", {0, 0, 0}}, {"radius_mm", 1}}}},
-                   volume, kViewport);
+                   volume, kBallViewport);
 }
 
 struct Percentiles {
@@ -61,7 +61,7 @@ Percentiles errors(const std::shared_ptr<const LoadedVolume>& volume, double sca
   std::vector<double> degrees;
   for (std::size_t i = 0; i < surface.size(); ++i) {
     if (surface[i].w < 0.0F) continue;
-    const glm::dvec2 pixel(i % kViewport.width_px, i / kViewport.width_px);
+    const glm::dvec2 pixel(i % kBallViewport.width_px, i / kBallViewport.width_px);
     const ViewRay ray = ray_through(scene.camera, scene.viewport, pixel + 0.5);
     const glm::dvec3 at_mm = ray.origin_mm + double(surface[i].w) * ray.direction;
     if (std::abs(glm::length(at_mm) - kRadius_mm) > 2.0) continue;
@@ -101,8 +101,7 @@ TEST(NormalsAtScale, AreNarrowOnTheVolumeItself) {
 }
 
 TEST(NormalsAtScale, AreWideInSlicesThreeTimesAsThick) {
-  const Percentiles calm =
-      told("1 : 1 : 3, 2.5 mm", errors(ball(0.0, {1.0, 1.0, 3.0}), 2.5));
+  const Percentiles calm = told("1 : 1 : 3, 2.5 mm", errors(ball(0.0, {1.0, 1.0, 3.0}), 2.5));
   EXPECT_LE(calm.median_degrees, 1.7);
   EXPECT_LE(calm.most_degrees, 5.0);
 }
