@@ -22,6 +22,7 @@ struct ShadeKey {
   std::uint64_t surface_version = 0;  ///< of the ray cast, whose rays are these
   ViewRays rays{};
   LitShading lit;
+  double resolution_scale = 1.0;  ///< picture pixels per viewport pixel
   bool operator==(const ShadeKey&) const = default;
 };
 
@@ -37,8 +38,11 @@ class ShadePass {
     const ShadingModel* model;
     BranchIndex branch;
     int supersampling;
+    bool turns;  ///< tells the model how normals turn
     gl::Program program;
   };
+  void add_programs(const gl::ShaderLibrary& shaders, const ShadingModel& model, bool turns);
+  const Entry& find_entry(const ShadeKey& key, BranchIndex branch, int supersampling) const;
   std::vector<Entry> programs_;
 };
 

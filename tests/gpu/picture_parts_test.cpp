@@ -96,16 +96,21 @@ std::string case_name(const testing::TestParamInfo<Parts::ParamType>& tested) {
 INSTANTIATE_TEST_SUITE_P(
     OfEachKind, Parts,
     testing::Combine(
-        testing::Values(Case{"flagship", "{}"}, Case{"supersampled", "{}", ViewKind::volume, 2},
-                        Case{"orthographic", R"({"camera": {"projection": "orthographic"}})"},
-                        Case{"magic", R"({"lens": {"mode": "magic"}})"},
-                        Case{"open_lens", R"({"lens": {"cap": "open", "radius_mm": 24}})"},
-                        Case{"translucent", R"({"context": {"surface": {"opacity": 0.4}}})"},
-                        Case{"wide_filter",
-                             R"({"context": {"filters": [{"name": "kuwahara", "radius": 5}]}})",
-                             ViewKind::volume, 2},
-                        Case{"axial", "{}", ViewKind::axial},
-                        Case{"coronal", "{}", ViewKind::coronal, 2}),
+        testing::Values(
+            Case{"flagship", "{}"}, Case{"supersampled", "{}", ViewKind::volume, 2},
+            Case{"orthographic", R"({"camera": {"projection": "orthographic"}})"},
+            Case{"magic", R"({"lens": {"mode": "magic"}})"},
+            Case{"open_lens", R"({"lens": {"cap": "open", "radius_mm": 24}})"},
+            Case{"translucent", R"({"context": {"surface": {"opacity": 0.4}}})"},
+            Case{"wide_filter", R"({"context": {"filters": [{"name": "kuwahara", "radius": 5}]}})",
+                 ViewKind::volume, 2},
+            Case{"soft_step",
+                 R"({"context": {"shading": {"name": "tone", "detail": 0, "softness": 3},
+                                             "filters": []}})"},
+            Case{"relative_lengths",
+                 R"({"context": {"filters": [{"name": "kuwahara",
+                                                          "radius_per_mille": 20}]}})"},
+            Case{"axial", "{}", ViewKind::axial}, Case{"coronal", "{}", ViewKind::coronal, 2}),
         testing::Values(PixelLayout::yuv420, PixelLayout::yuv444, PixelLayout::rgba)),
     case_name);
 

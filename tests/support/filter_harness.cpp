@@ -57,10 +57,11 @@ BranchImage filtered_on_gpu(const BranchImage& input, const Module& filter) {
   glTextureSubImage2D(surface.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, surfaces.data());
   const FilterKey key{.filter = filter};
   const gl::PixelRect whole{{0, 0}, size};
-  const FilterSums sums = filter_sums(size, FilterPass::reach_px(key));
-  for (int step = FilterPass::first_step(key); step < FilterPass::steps(filter); ++step)
-    pass.run(key, step, {colour, silhouette, surface, true}, {target, sums},
-             FilterPass::region_of_step(key, step, whole), triangle);
+  const FilterPlan plan = FilterPass::plan(key);
+  const FilterWork work(FilterPass::work_needs(plan), size);
+  for (const FilterStep& step : plan.steps)
+    pass.run(key, step, {colour, silhouette, surface, true}, {target, work},
+             FilterPass::region_of_step(step, whole, size), triangle);
   std::vector<glm::vec4> result(input.pixels.size());
   glGetTextureImage(output.name(), 0, GL_RGBA, GL_FLOAT,
                     static_cast<GLsizei>(result.size() * sizeof(glm::vec4)), result.data());

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 
+#include "render/filters/filter_pass.h"
 #include "render/loaded_facts.h"
+#include "render/shading/shading_registry.h"
+#include "scene/relative_lengths.h"
 #include "scene/resolve.h"
 
 namespace cutaway::test {
@@ -47,11 +50,13 @@ RenderSettings settings_for(const Scene& scene) {
 
 namespace {
 
-/// How far a pixel's colour reaches through a branch's filters, px.
-int reach_of_filters(const Branch& branch) {
-  int reach = 0;
+/// How far a pixel's colour reaches through what is done to a branch's picture, px.
+int reach_of_branch(const Branch& branch, const Scene& scene, double resolution_scale) {
+  int reach = reads_turning(in_pixels(branch.shading, scene.viewport.height_px)) ? 1 : 0;
   for (const Module& filter : branch.filters)
-    reach += filter.parameters.value("radius", 1);  // Sobel looks at its neighbours
+    reach += FilterPass::plan({.filter = in_pixels(filter, scene.viewport.height_px),
+                               .resolution_scale = resolution_scale})
+                 .reach_px;
   return reach;
 }
 
@@ -147,7 +152,8 @@ void expect_like_reference(const std::string& name, const Scene& scene,
                                             .step_voxels = settings.step_voxels});
   const BytePicture expected = to_bytes(reference.picture);
   const Disagreements disagreements(gpu.view(), reference.rays, settings.picture_size_px);
-  const int reach = std::max(reach_of_filters(scene.context), reach_of_filters(scene.focus));
+  const int reach = std::max(reach_of_branch(scene.context, scene, settings.resolution_scale),
+                             reach_of_branch(scene.focus, scene, settings.resolution_scale));
   const PictureDifference difference =
       compare(comparable(actual, expected, disagreements, reach), expected);
   std::printf(

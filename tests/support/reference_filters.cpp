@@ -136,7 +136,7 @@ BranchImage sobel(const BranchImage& input, const Sobel& parameters) {
 BranchImage apply_filter(const BranchImage& input, const Module& filter, double resolution_scale) {
   const Json& parameters = filter.parameters;
   if (filter.name == "kuwahara") {
-    const int radius = parameters.at("radius").get<int>();
+    const auto radius = parameters.at("radius").get<double>();
     return radius == 0
                ? input
                : kuwahara(input,

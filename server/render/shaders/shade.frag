@@ -1,6 +1,7 @@
 #version 450 core
 // Turns one branch's surface into colour: a program for each BRANCH, each shading model, whose file and function are
-// defined, and each number of rays a pixel: it averages SUPERSAMPLING^2 of them.
+// defined, each number of rays a pixel, of which it averages SUPERSAMPLING^2, and for models that ask for it one that
+// tells them how the normal TURNS to the rays beside.
 
 #include "branches.glsl"
 #include "light.glsl"
@@ -18,6 +19,38 @@ vec3 to_viewer(ivec2 part) {
   return -normalize(toward_mm(in_picture(gl_FragCoord.xy + off_centre)));
 }
 
+#ifdef TURNS
+float ray_spacing_mm(float distance_mm) {
+  float at_one = pixel_rays.place.w * length(pixel_rays.up_mm) / float(SUPERSAMPLING);
+  return at_one * mix(1.0, distance_mm, pixel_rays.shifts.y);
+}
+
+// Of the same surface, as far as neighbours tell: beyond an outline there is another one, whose normal says nothing here.
+bool is_beside(vec4 here, vec4 there) { return holds(there) && abs(there.w - here.w) < 4.0 * ray_spacing_mm(here.w); }
+
+vec4 surface_at(ivec2 ray) {
+  bool is_cast = all(greaterThanEqual(ray, ivec2(0))) && all(lessThan(ray, textureSize(surface_texture, 0)));
+  return is_cast ? texelFetch(surface_texture, ray, 0) : vec4(0.0, 0.0, 0.0, REASON_LEFT_VOLUME);
+}
+
+// From both sides, or from the one that there is.
+vec3 turning_along(ivec2 ray, vec4 here, ivec2 along) {
+  vec4 before = surface_at(ray - along);
+  vec4 after = surface_at(ray + along);
+  float from = is_beside(here, before) ? 1.0 : 0.0;
+  float to = is_beside(here, after) ? 1.0 : 0.0;
+  vec3 sum = to * (normal_of(after) - normal_of(here)) + from * (normal_of(here) - normal_of(before));
+  return sum / max(from + to, 1.0);
+}
+
+vec3 colour_of(ivec2 ray, vec4 surface, vec3 to_viewer) {
+  mat2x3 turning = mat2x3(turning_along(ray, surface, ivec2(1, 0)), turning_along(ray, surface, ivec2(0, 1)));
+  return SHADE_TURNING(BRANCH, normal_of(surface), to_viewer, turning);
+}
+#else
+vec3 colour_of(ivec2 ray, vec4 surface, vec3 to_viewer) { return SHADE(BRANCH, normal_of(surface), to_viewer); }
+#endif
+
 void main() {
   ivec2 first = ivec2(gl_FragCoord.xy) * SUPERSAMPLING;
   vec3 colour_sum = vec3(0.0);
@@ -26,7 +59,7 @@ void main() {
   for (int y = 0; y < SUPERSAMPLING; ++y) {
     for (int x = 0; x < SUPERSAMPLING; ++x) {
       vec4 surface = texelFetch(surface_texture, first + ivec2(x, y), 0);
-      vec3 colour = SHADE(BRANCH, normal_of(surface), to_viewer(ivec2(x, y)));
+      vec3 colour = colour_of(first + ivec2(x, y), surface, to_viewer(ivec2(x, y)));
       colour_sum += holds(surface) ? colour : vec3(0.0);
       held += holds(surface) ? 1.0 : 0.0;
       taken_by_lens += surface.w == REASON_OTHER_BRANCH ? 1.0 : 0.0;

@@ -77,6 +77,12 @@ export const parameters: ServedWords['parameters'] = {
       'Das n·l, bei dem die Mitte des Verlaufs liegt; bei 0 wendet sich die Oberfläche vom Licht ab. ' +
       'Nur beim halben Lambert.',
   },
+  'shading.tone.softness': {
+    title: 'Weichheit der Stufe',
+    description:
+      'Breite der Stufe zwischen den beiden Tönen auf einer undurchsichtigen Oberfläche: bei 0 bleibt ' +
+      'sie hart, sonst ist sie mindestens ein Pixel des Bildes breit, sodass ihre Treppen verschwinden.',
+  },
   'shading.gooch.colour': {
     title: 'Farbe',
     description: 'Der Oberfläche selbst. Anzeigekodiertes sRGB.',
