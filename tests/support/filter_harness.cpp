@@ -6,6 +6,7 @@
 #include "render/filters/filter_pass.h"
 #include "render/shaders.h"
 #include "render/view_buffers.h"
+#include "scene/schema.h"
 #include "support/gpu_harness.h"
 
 namespace cutaway::test {
@@ -73,6 +74,13 @@ BranchImage filtered_on_gpu(const BranchImage& input, const Module& filter) {
   return image;
 }
 
+Module filter_module(const char* name, const Json& parameters) {
+  Json module = {{"name", name}};
+  module.update(parameters);
+  Json scene = {{"context", {{"filters", Json::array({std::move(module)})}}}};
+  return filter(with_defaults(std::move(scene), "scene").at("context").at("filters").at(0));
+}
+
 Module kuwahara(int radius) { return filter({{"name", "kuwahara"}, {"radius", radius}}); }
 
 Module sobel(double strength, const char* mode, const char* norm, const char* gradient,
@@ -122,6 +130,7 @@ BranchImage random_picture(unsigned seed, glm::ivec2 size) {
         glm::normalize(glm::dvec3(level(random), level(random), level(random)) - 0.4),
         300.0 + 40.0 * level(random),
         level(random) < 0.3 ? 1.0 : 0.0};
+    pixel.nearest_mm = pixel.depth_mm;
   }
   return image;
 }

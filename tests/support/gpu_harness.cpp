@@ -125,17 +125,23 @@ BytePicture comparable(const BytePicture& actual, const BytePicture& expected,
 
 }  // namespace
 
-// Measured: 1/255 at the most without such decisions, and no ray that disagrees. Kuwahara chooses
-// among windows of nearly one variance, and the normal of a layer deep within material is that of a
-// field that is nearly flat there: up to 36/255 at one pixel in three thousand. A GPU's own filter
-// places samples to 1/256 of a voxel, which turns more of them, and pixels at a toon's step.
+// Measured: 1/255 at the most without such decisions, and no ray that disagrees. Kuwahara and its
+// like choose among windows of nearly one variance, Canny's edge is the one pixel or the one beside
+// it, and the normal of a layer deep within material is that of a field that is nearly flat there:
+// up to 36/255 at one pixel in three thousand. A GPU's own filter places samples to 1/256 of a
+// voxel, which turns more of them, and pixels at a toon's step.
 Tolerance tolerance_for(const Scene& scene) {
   if (!GpuHarness::instance().context().is_software())
     return {.mean = 0.25, .share_above_2 = 0.005, .maximum = 128, .share_of_disagreements = 0.001};
   bool decides = scene.context.surface.opacity < 1.0 || scene.focus.surface.opacity < 1.0;
+  bool draws_crests = false;
   for (const Branch* branch : {&scene.context, &scene.focus}) {
-    for (const Module& filter : branch->filters) decides = decides || filter.name == "kuwahara";
+    for (const Module& filter : branch->filters) {
+      decides = decides || filter.name != "sobel";
+      draws_crests = draws_crests || filter.name == "canny";
+    }
   }
+  if (draws_crests) return {.mean = 0.08, .share_above_2 = 0.001};
   if (decides) return {.mean = 0.08, .share_above_2 = 0.001, .maximum = 48};
   return {.mean = 0.08, .maximum = 1};
 }

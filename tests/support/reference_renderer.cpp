@@ -96,6 +96,8 @@ BranchPixel resolve(const Image<RayLayers>& rays, glm::ivec2 pixel, BranchLayers
     if (!layers.is_met) continue;
     result.normal += layers.nearest.normal;
     result.depth_mm += layers.nearest.distance_mm;
+    result.nearest_mm = met == 0 ? layers.nearest.distance_mm
+                                 : std::min(result.nearest_mm, layers.nearest.distance_mm);
     result.behind_lens += layers.is_behind_lens ? 1.0 : 0.0;
     ++met;
   }

@@ -61,6 +61,7 @@ void FilterPass::run(const FilterKey& key, const FilterStep& step, const FilterI
   program.set("is_cut", input.is_cut ? 1 : 0);
   if (step.along != glm::ivec2(0)) program.set("along", step.along);
   entry.filter->set_parameters(program, key.filter.parameters, key.resolution_scale);
+  for (const auto& [name, value] : step.numbers) program.set(name, value);
   const gl::Framebuffer& drawn =
       step.writes.empty() ? target.picture : target.work.target(step.writes);
   drawn.bind(strip);

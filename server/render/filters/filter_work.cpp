@@ -6,7 +6,7 @@ namespace cutaway {
 
 namespace {
 
-constexpr std::array<GLenum, kWorkFormats> kFormats = {GL_RGBA32F, GL_RGBA16F, GL_R32F};
+constexpr std::array<GLenum, kWorkFormats> kFormats = {GL_RGBA32F, GL_R32F};
 
 }  // namespace
 

@@ -11,8 +11,8 @@
 
 namespace cutaway {
 
-enum class WorkFormat { rgba32f, rgba16f, r32f };
-inline constexpr std::size_t kWorkFormats = 3;
+enum class WorkFormat { rgba32f, r32f };
+inline constexpr std::size_t kWorkFormats = 2;
 
 /// The texture of that number among those of its format.
 struct WorkTexture {

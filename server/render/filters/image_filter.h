@@ -18,8 +18,9 @@ struct FilterStep {
   std::vector<WorkTexture> writes;
   /// What it takes from steps before: the sampler's name, and the texture.
   std::vector<std::pair<const char*, WorkTexture>> reads;
-  int reach_px = 0;          ///< how far beside a pixel it looks into what it reads
-  glm::ivec2 along{0};       ///< set as `along` unless 0: the way of a step that goes one way
+  int reach_px = 0;     ///< how far beside a pixel it looks into what it reads
+  glm::ivec2 along{0};  ///< set as `along` unless 0: the way of a step that goes one way
+  std::vector<std::pair<const char*, float>> numbers{};  ///< uniforms as this step has them
   glm::ivec2 beyond_px{0};   ///< how much larger than the picture what it writes is
   glm::ivec2 further_px{0};  ///< how much more than its picture's region is drawn, right and down
   glm::ivec2 before_px{0};   ///< the same, left and up
