@@ -99,6 +99,12 @@ TEST(DepthLines, AreNotDrawnOnAFlightOfLikeStepsButOnEachOfASparseOne) {
   EXPECT_NEAR(ink_of(10, 0.0), 6 * 1.15, 0.1);
 }
 
+TEST(DepthLines, AreNoSpecks) {
+  const auto specks = relief(
+      {40, 30}, [](int x, int y) { return 300.0 + (x % 6 == 2 && y % 5 == 2 ? -10.0 : 0.0); });
+  for (int y = 0; y < 30; ++y) EXPECT_EQ(ink_in_row(filtered_on_gpu(specks, lines()), y), 0.0);
+}
+
 TEST(DepthLines, AreDrawnAtSilhouettesButNotAtTheLensRim) {
   auto input = relief({30, 30}, [](int, int) { return 300.0; });
   for (int y = 0; y < 30; ++y) {

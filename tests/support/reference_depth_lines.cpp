@@ -67,6 +67,22 @@ std::optional<Begin> begin_at(const BranchImage& input, glm::ivec2 at, const Dep
 
 using Begins = Image<std::optional<Begin>>;
 
+/// Without those that have not a neighbour on each of two sides.
+Begins without_specks(const Begins& begins) {
+  Begins kept = begins;
+  for (int y = 0; y < begins.size_px.y; ++y) {
+    for (int x = 0; x < begins.size_px.x; ++x) {
+      int others = begins.at({x, y}) ? -1 : 0;
+      for (int i = 0; i < 9; ++i) {
+        const glm::ivec2 there(x + i % 3 - 1, y + i / 3 - 1);
+        others += begins.contains(there) && begins.at(there) ? 1 : 0;
+      }
+      if (others < 2) kept.at({x, y}).reset();
+    }
+  }
+  return kept;
+}
+
 /// How much of the pixel the line covers that reaches farthest beyond it.
 double coverage(const BranchImage& input, const Begins& begins, glm::ivec2 at, int reach_px) {
   double farthest = 0.0;
@@ -95,6 +111,7 @@ BranchImage depth_lines(const BranchImage& input, const DepthLines& lines) {
   for (int y = 0; y < input.size_px.y; ++y) {
     for (int x = 0; x < input.size_px.x; ++x) begins.at({x, y}) = begin_at(input, {x, y}, lines);
   }
+  begins = without_specks(begins);
   const int reach_px = static_cast<int>(std::ceil(lines.width_px));
   for (int y = 0; y < input.size_px.y; ++y) {
     for (int x = 0; x < input.size_px.x; ++x) {

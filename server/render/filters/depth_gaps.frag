@@ -1,5 +1,5 @@
 #version 450 core
-// First of the depth lines' three steps: where the branch's surface lies before a gap, and how wide its line begins. A gap is
+// First of the depth lines' four steps: where the branch's surface lies before a gap, and how wide its line begins. A gap is
 // what a step in depth between two pixels has beyond the slopes on either side of it: a slope that goes on, however steep,
 // is none, nor are the rings of slices, which are a flight of like steps where a surface turns away. A rim that a lens has cut is none either (see branches.glsl).
 #include "branches.glsl"

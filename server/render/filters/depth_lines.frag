@@ -1,5 +1,5 @@
 #version 450 core
-// Last of the depth lines' three steps: the lines in their colour, on the nearer side of each gap.
+// Last of the depth lines' four steps: the lines in their colour, on the nearer side of each gap.
 // Source for lines by depth: T. Saito, T. Takahashi, "Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990.
 #include "branches.glsl"
 #include "filter.glsl"

@@ -9,10 +9,12 @@ namespace cutaway {
 
 namespace {
 
-constexpr std::array kShaders = {"depth_gaps.frag", "depth_rows.frag", "depth_lines.frag"};
+enum Shader { kGaps, kSpecks, kRowsOfLines, kLines };
+constexpr std::array kShaders = {"depth_gaps.frag", "depth_specks.frag", "depth_rows.frag",
+                                 "depth_lines.frag"};
 
-constexpr WorkTexture kBegins{WorkFormat::rgba32f, 0};
-constexpr WorkTexture kRows{WorkFormat::rgba32f, 1};
+constexpr WorkTexture kFirst{WorkFormat::rgba32f, 0};
+constexpr WorkTexture kSecond{WorkFormat::rgba32f, 1};
 
 float width_in_picture(const Json& parameters, double resolution_scale) {
   return number(parameters, "width") * static_cast<float>(resolution_scale);
@@ -25,21 +27,26 @@ int flight_px(const Json& parameters, double resolution_scale) {
 
 FilterPlan plan(const Json& parameters, double resolution_scale) {
   const int reach_px = static_cast<int>(std::ceil(width_in_picture(parameters, resolution_scale)));
-  if (reach_px == 0) return chained({{.shader = 2, .writes = {}, .reads = {}}});
+  if (reach_px == 0) return chained({{.shader = kLines, .writes = {}, .reads = {}}});
   const int cost = 1 + reach_px / 2;
-  return chained({{.shader = 0,
-                   .writes = {kBegins},
+  return chained({{.shader = kGaps,
+                   .writes = {kFirst},
                    .reads = {},
                    .reach_px = 1 + flight_px(parameters, resolution_scale),
                    .cost = 8},
-                  {.shader = 1,
-                   .writes = {kRows},
-                   .reads = {{"begins", kBegins}},
+                  {.shader = kSpecks,
+                   .writes = {kSecond},
+                   .reads = {{"begins", kFirst}},
+                   .reach_px = 1,
+                   .cost = 3},
+                  {.shader = kRowsOfLines,
+                   .writes = {kFirst},
+                   .reads = {{"begins", kSecond}},
                    .reach_px = reach_px,
                    .cost = cost},
-                  {.shader = 2,
+                  {.shader = kLines,
                    .writes = {},
-                   .reads = {{"rows", kRows}},
+                   .reads = {{"rows", kFirst}},
                    .reach_px = reach_px,
                    .cost = cost}});
 }

@@ -1,5 +1,5 @@
 #version 450 core
-// Second of the depth lines' three steps: of the lines that begin in a pixel's row, the one that reaches farthest beyond it.
+// Third of the depth lines' four steps: of the lines that begin in a pixel's row, the one that reaches farthest beyond it.
 // The square of a distance is a sum over rows and columns, so that two steps find what is nearest in the whole picture.
 #include "filter.glsl"
 #include "depth_lines.glsl"
