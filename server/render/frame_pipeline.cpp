@@ -3,6 +3,7 @@
 #include "core/check.h"
 #include "render/shaders.h"
 #include "render/stage_keys.h"
+#include "scene/relative_lengths.h"
 
 namespace cutaway {
 
@@ -88,12 +89,14 @@ std::uint64_t FramePipeline::picture_of_volume(ViewState& view, const Scene& sce
                                                GpuVolume& volume, const RenderSettings& settings,
                                                FramePlan& plan) {
   view.buffers_->prepare_rays();
-  view.buffers_->prepare_sums(farthest_reach_px(scene, settings.resolution_scale));
+  view.buffers_->prepare_work(work_needs(scene, settings.resolution_scale));
   const VolumeGeometry part =
       settings.skip_empty_space
           ? volume.occupied_part(scene.context.surface.band, scene.focus.surface.band)
           : volume.volume().geometry;
-  const Draft draft{view, *view.buffers_, settings, view_regions(scene, part, settings), plan};
+  const Draft draft{
+      view, *view.buffers_, settings, view_regions(scene, part, settings), scene.viewport.height_px,
+      plan};
   RayCastKey rays = ray_cast_key(scene, volume, settings);
   rays.entry_version = find_entries(draft, rays, volume);
   const std::uint64_t surface = cast_rays(draft, rays, volume);
@@ -212,7 +215,8 @@ FramePipeline::BranchPicture FramePipeline::shade_surface(const Draft& draft, Br
                .rays = rays,
                .lit = lit_shadings(scene)[index],
                .relief = {},
-               .wall = index == kContext ? cavity_wall(scene) : std::nullopt};
+               .wall = index == kContext ? cavity_wall(scene) : std::nullopt,
+               .resolution_scale = draft.settings.resolution_scale};
   const LightKey light =
       light_key(scene, index, rays, surface.version, volume, draft.settings.light);
   if (light.is_asked())
@@ -269,7 +273,8 @@ FramePipeline::BranchPicture FramePipeline::filter(const Draft& draft, BranchInd
   while (stages.size() < filters.size()) stages.emplace_back();
   for (std::size_t i = 0; i < filters.size(); ++i) {
     const ColourTarget& target = draft.buffers.filtered(index, i);
-    const FilterKey key{picture.version, shaded, filters[i], draft.settings.resolution_scale};
+    const FilterKey key{picture.version, shaded, in_pixels(filters[i], draft.viewport_height_px),
+                        draft.settings.resolution_scale};
     picture.version = stages[i].schedule(
         key, draft.plan, filter_steps(draft, index, key, *picture.texture, surface, target));
     picture.texture = &target.texture;
@@ -282,23 +287,24 @@ std::vector<Pass> FramePipeline::filter_steps(const Draft& draft, BranchIndex in
                                               const gl::Texture2D& surface,
                                               const ColourTarget& target) {
   const BranchBuffers& buffers = draft.buffers.branches[index];
-  const FilterSums& sums = draft.buffers.sums();
+  const FilterWork& work = draft.buffers.work();
   const gl::PixelRect region = draft.regions.branches[index];
   std::vector<Pass> steps;
-  for (int step = FilterPass::first_step(key); step < FilterPass::steps(key.filter); ++step) {
-    steps.push_back({.name = key.filter.name,
-                     .region = FilterPass::region_of_step(key, step, region),
-                     .cost = FilterPass::cost_of_step(key, step),
-                     .begin = {},
-                     .draw = [this, key, step, &buffers, &sums, &input, &surface, &target,
-                              is_cut = index == kContext](const gl::PixelRect& strip) {
-                       filter_pass_.run(key, step,
-                                        {.colour = input,
-                                         .silhouette = buffers.silhouette,
-                                         .surface = surface,
-                                         .is_cut = is_cut},
-                                        {target.framebuffer, sums}, strip, triangle_);
-                     }});
+  for (const FilterStep& step : FilterPass::plan(key).steps) {
+    steps.push_back(
+        {.name = key.filter.name,
+         .region = FilterPass::region_of_step(step, region, draft.buffers.picture_size_px()),
+         .cost = step.cost,
+         .begin = {},
+         .draw = [this, key, step, &buffers, &work, &input, &surface, &target,
+                  is_cut = index == kContext](const gl::PixelRect& strip) {
+           filter_pass_.run(key, step,
+                            {.colour = input,
+                             .silhouette = buffers.silhouette,
+                             .surface = surface,
+                             .is_cut = is_cut},
+                            {target.framebuffer, work}, strip, triangle_);
+         }});
   }
   steps.back().begin = [&target] { target.framebuffer.clear({kNothing}); };
   return steps;

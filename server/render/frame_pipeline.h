@@ -108,6 +108,7 @@ class FramePipeline {
     ViewBuffers& buffers;
     const RenderSettings& settings;
     ViewRegions regions;
+    int viewport_height_px;
     FramePlan& plan;
   };
   /// A branch's last picture and how to know that it changed.

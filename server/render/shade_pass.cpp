@@ -46,6 +46,7 @@ const gl::Program& ShadePass::program_for(const Variant& variant) {
   auto definitions = shader_definitions(*variant.model);
   definitions["BRANCH"] = variant.branch == kContext ? "CONTEXT" : "FOCUS";
   definitions["SUPERSAMPLING"] = std::to_string(variant.supersampling);
+  if (variant.turns) definitions["TURNS"] = "";
   definitions["RELIEF"] = variant.relief ? "1" : "0";
   definitions["WALL"] = variant.wall ? "1" : "0";
   gl::Program program(shaders_, "rays.vert", "shade.frag", definitions);
@@ -58,12 +59,17 @@ void ShadePass::run(const ShadeKey& key, BranchIndex index, const GpuVolume& vol
                     const gl::FullscreenTriangle& triangle) {
   const ShadingModel& model = find_shading_model(key.lit.shading.name);
   const gl::Program& program =
-      program_for({&model, index, supersampling, key.relief.has_value(), key.wall.has_value()});
+      program_for({&model, index, supersampling, reads_turning(key.lit.shading),
+                   key.relief.has_value(), key.wall.has_value()});
   program.use();
   program.set_texture("surface_texture", 0, surface.name());
   program.set("light_direction", key.lit.light_direction);
   set_view_rays(program, key.rays);
-  model.set_parameters(UniformStruct(program, model.name, index), key.lit.shading.parameters);
+  const UniformStruct uniforms(program, model.name, index);
+  model.set_parameters(uniforms, key.lit.shading.parameters);
+  if (reads_turning(key.lit.shading))
+    model.set_turning(uniforms, key.lit.shading.parameters,
+                      key.resolution_scale * supersampling);
   if (key.relief) set_relief(program, *key.relief, branch);
   if (key.wall) set_wall(program, *key.wall, volume);
   branch.shade_target.bind(strip);

@@ -46,6 +46,7 @@ struct ShadeKey {
   LitShading lit;
   std::optional<Relief> relief = {};
   std::optional<CavityWall> wall = {};  ///< of the context alone
+  double resolution_scale = 1.0;  ///< picture pixels per viewport pixel
   bool operator==(const ShadeKey&) const = default;
 };
 
@@ -62,6 +63,7 @@ class ShadePass {
     const ShadingModel* model;
     BranchIndex branch;
     int supersampling;
+    bool turns;  ///< tells the model how normals turn
     bool relief;
     bool wall;
     auto operator<=>(const Variant&) const = default;

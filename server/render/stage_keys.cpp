@@ -4,6 +4,8 @@
 
 #include "render/filters/filter_pass.h"
 #include "render/normal_taps.h"
+#include "render/shading/shading_registry.h"
+#include "scene/relative_lengths.h"
 #include "scene/scene_fields.h"
 #include "scene/scene_visit.h"
 #include "scene/view_geometry.h"
@@ -29,7 +31,9 @@ bool is_translucent(const Scene& scene) {
 
 std::array<LitShading, kBranches> lit_shadings(const Scene& scene) {
   const glm::vec3 light = light_direction_patient(scene.light, scene.camera);
-  return {LitShading{scene.context.shading, light}, LitShading{scene.focus.shading, light}};
+  const int height_px = scene.viewport.height_px;
+  return {LitShading{in_pixels(scene.context.shading, height_px), light},
+          LitShading{in_pixels(scene.focus.shading, height_px), light}};
 }
 
 RayCastKey ray_cast_key(const Scene& scene, const GpuVolume& volume,
@@ -123,14 +127,22 @@ std::optional<MagicLens> magic_lens(const Scene& scene, const ViewRays& rays) {
   return MagicLens{scene.lens, rays};
 }
 
-int farthest_reach_px(const Scene& scene, double resolution_scale) {
-  int reach_px = 0;
+namespace {
+
+FilterPlan plan_of(const Module& filter, const Scene& scene, double resolution_scale) {
+  return FilterPass::plan({.filter = in_pixels(filter, scene.viewport.height_px),
+                           .resolution_scale = resolution_scale});
+}
+
+}  // namespace
+
+WorkNeeds work_needs(const Scene& scene, double resolution_scale) {
+  WorkNeeds needs;
   for (const Branch* branch : {&scene.context, &scene.focus}) {
     for (const Module& filter : branch->filters)
-      reach_px = std::max(
-          reach_px, FilterPass::reach_px({.filter = filter, .resolution_scale = resolution_scale}));
+      needs.add(FilterPass::work_needs(plan_of(filter, scene, resolution_scale)));
   }
-  return reach_px;
+  return needs;
 }
 
 namespace {
@@ -155,19 +167,20 @@ BufferNeeds needs_of(const Scene& scene, const RenderSettings& settings) {
           .filters = {scene.context.filters.size(), scene.focus.filters.size()},
           .calmed = {has_calm_normals(scene.context), has_calm_normals(scene.focus)},
           .reach = {has_light(scene.context, settings), has_light(scene.focus, settings)},
-          .reach_px = farthest_reach_px(scene, settings.resolution_scale)};
+          .work = work_needs(scene, settings.resolution_scale)};
 }
 
 int tile_margin_px(const Scene& scene) {
-  // What a filter's small kernel and a region's margin read beside a pixel.
-  constexpr int kNeighbours_px = 4;
+  constexpr int kRegions_px = 3;  // what a region's margin reads beside a pixel
+  constexpr int kTurning_px = 1;  // what the next ray's normal is read from
   int margin_px = 0;
   for (const Branch* branch : {&scene.context, &scene.focus}) {
-    int of_branch_px = branch->occlusion.strength > 0.0 || branch->shadow.strength > 0.0
-                           ? LightPass::kReach_px
-                           : 0;
+    const bool has_reach = branch->occlusion.strength > 0.0 || branch->shadow.strength > 0.0;
+    int of_branch_px = has_reach ? LightPass::kReach_px : 0;
+    if (reads_turning(in_pixels(branch->shading, scene.viewport.height_px)))
+      of_branch_px = std::max(of_branch_px, kTurning_px);
     for (const Module& filter : branch->filters)
-      of_branch_px += FilterPass::reach_px({.filter = filter}) + kNeighbours_px;
+      of_branch_px += plan_of(filter, scene, 1.0).reach_px + kRegions_px;
     margin_px = std::max(margin_px, of_branch_px);
   }
   return margin_px;

@@ -36,8 +36,8 @@ std::optional<CavityWall> cavity_wall(const Scene& scene);
 /// Nothing where the lens is another one.
 std::optional<MagicLens> magic_lens(const Scene& scene, const ViewRays& rays);
 
-/// How far a filter of the scene reads beside a pixel by its sums.
-int farthest_reach_px(const Scene& scene, double resolution_scale);
+/// What the steps of the scene's filters hand on in.
+WorkNeeds work_needs(const Scene& scene, double resolution_scale);
 
 /// Of the buffers in which such a picture of the scene is drawn.
 BufferNeeds needs_of(const Scene& scene, const RenderSettings& settings);

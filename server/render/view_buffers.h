@@ -8,6 +8,7 @@
 
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
+#include "render/filters/filter_work.h"
 #include "render/render_settings.h"
 
 namespace cutaway {
@@ -24,23 +25,6 @@ struct ColourTarget {
   gl::Texture2D texture;
   gl::Framebuffer framebuffer;
 };
-
-/// What a filter of several steps, as Kuwahara's, hands from one to the next, larger than the
-/// picture by its reach. Filters run one after the other, so those of a view share it; views do
-/// not, since their strips are drawn in turn.
-struct FilterSums {
-  gl::Texture2D colour_sums;  ///< RGBA32F, drawn by a filter's first step
-  gl::Texture2D square_sums;  ///< R32F, likewise
-  gl::Texture2D windows;      ///< RGBA32F, by its second
-  gl::Framebuffer rows_target;
-  gl::Framebuffer windows_target;
-
-  const gl::Framebuffer& target_of_step(int step) const {
-    return step == 0 ? rows_target : windows_target;
-  }
-};
-
-FilterSums filter_sums(glm::ivec2 picture_size_px, int reach_px);
 
 struct BranchBuffers {
   gl::Texture2D surface;     ///< RGBA32F, see shaders/branches.glsl
@@ -66,7 +50,7 @@ struct BufferNeeds {
   std::array<std::size_t, kBranches> filters{};
   std::array<bool, kBranches> calmed{};
   std::array<bool, kBranches> reach{};
-  int reach_px = 0;  ///< of filters' sums; 0: nobody needs them
+  WorkNeeds work;  ///< of the filters' steps
 };
 
 /// What ViewBuffers take on the device once all of it is drawn.
@@ -91,9 +75,9 @@ class ViewBuffers {
   ColourTarget& filtered(BranchIndex branch, std::size_t index);
   /// Makes sure that there is what rays need: a slice casts none.
   void prepare_rays();
-  /// Sums that reach that far beyond the picture; 0: nobody needs them.
-  void prepare_sums(int reach_px);
-  const FilterSums& sums() const { return sums_; }
+  /// Makes sure that filters have just that.
+  void prepare_work(const WorkNeeds& needs);
+  const FilterWork& work() const { return work_; }
   /// Makes sure that both branches' layers and their target exist.
   void prepare_layers();
   /// Makes sure that there is room for a branch's normals at a scale, or for the light's reach.
@@ -121,8 +105,7 @@ class ViewBuffers {
 
   glm::ivec2 picture_size_px_;
   int supersampling_;
-  FilterSums sums_;
-  int sums_reach_px_ = 0;
+  FilterWork work_;
 };
 
 }  // namespace cutaway

@@ -29,6 +29,21 @@ glm::dvec3 tone(const Json& parameters, double cosine) {
   return glm::mix(colour(parameters, "dark"), colour(parameters, "light"), position);
 }
 
+/// Of a square of side 1 whose middle has the value, which grows by `gradient`: the share where it
+/// is positive. The square is cut into so many strips that each is as good as a line.
+double lit_share(double value, glm::dvec2 gradient) {
+  constexpr int kStrips = 400;
+  const auto [along, across] = std::abs(gradient.x) > std::abs(gradient.y)
+                                   ? std::pair(std::abs(gradient.x), gradient.y)
+                                   : std::pair(std::abs(gradient.y), gradient.x);
+  double sum = 0.0;
+  for (int i = 0; i < kStrips; ++i) {
+    const double middle = value + across * ((i + 0.5) / kStrips - 0.5);
+    sum += std::clamp(0.5 + middle / along, 0.0, 1.0) / kStrips;
+  }
+  return sum;
+}
+
 double highlight(const Json& parameters, glm::dvec3 normal, glm::dvec3 to_light,
                  glm::dvec3 to_viewer) {
   const double exponent = parameters.at("exponent").get<double>();
@@ -87,6 +102,22 @@ glm::dvec3 shade(const Module& shading, glm::dvec3 normal, glm::dvec3 to_light,
   if (shading.name == "ramp") return ramp(shading.parameters, glm::dot(normal, to_light));
   if (shading.name == "phong") return phong(shading.parameters, normal, to_light, to_viewer);
   throw std::logic_error("the reference has no shading model " + shading.name);
+}
+
+glm::dvec3 shade_turning(const Module& shading, glm::dvec3 normal, glm::dvec3 to_light,
+                         glm::dvec3 across, glm::dvec3 down, double rays_a_pixel) {
+  const Json& parameters = shading.parameters;
+  const double cosine = glm::dot(normal, to_light);
+  const double step =
+      parameters.at("lambert") == "half" ? parameters.at("terminator").get<double>() : 0.5;
+  const glm::dvec2 a_ray(glm::dot(across, to_light), glm::dot(down, to_light));
+  const double width = std::max(1.0, parameters.at("softness").get<double>() * rays_a_pixel);
+  const double lit = glm::length(a_ray) > 0.0 ? lit_share((cosine - step) / width, a_ray)
+                                              : (cosine < step ? 0.0 : 1.0);
+  const double u = tone_lookup(parameters, cosine);
+  const double detail = parameters.at("detail").get<double>();
+  return glm::mix(colour(parameters, "dark"), colour(parameters, "light"),
+                  glm::mix(detail * u, 1.0 - detail * (1.0 - u), lit));
 }
 
 }  // namespace cutaway::reference

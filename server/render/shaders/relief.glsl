@@ -7,7 +7,7 @@ uniform float shadow_strength;
 
 vec2 reach_at(ivec2 pixel) { return texelFetch(reach_texture, pixel, 0).rg; }
 
-float lit_share(vec2 reach) { return 1.0 - shadow_strength * (1.0 - reach.y); }
+float share_of_light(vec2 reach) { return 1.0 - shadow_strength * (1.0 - reach.y); }
 
 vec3 occluded(vec3 colour, vec2 reach) {
   return colour * mix(vec3(1.0), mix(occlusion_colour, vec3(1.0), reach.x), occlusion_strength);

@@ -25,7 +25,13 @@ const ShadingModel& find_shading_model(std::string_view name) {
 
 std::map<std::string, std::string> shader_definitions(const ShadingModel& model) {
   return {{"SHADING_FILE", '"' + std::string(model.shader) + '"'},
-          {"SHADE", std::string("shade_") + model.name}};
+          {"SHADE", std::string("shade_") + model.name},
+          {"SHADE_TURNING", std::string("shade_") + model.name + "_turning"}};
+}
+
+bool reads_turning(const Module& module) {
+  const ShadingModel& model = find_shading_model(module.name);
+  return model.reads_turning != nullptr && model.reads_turning(module.parameters);
 }
 
 std::string shading_models_glsl() {

@@ -88,7 +88,7 @@ TEST(Modules, AreDescribedInTheSchemasOrder) {
   std::string order;
   for (const Json& parameter : modules.at("shading").at(0).at("parameters"))
     order += parameter.at("name").get<std::string>() + " ";
-  EXPECT_EQ(order, "detail dark light lambert terminator ");
+  EXPECT_EQ(order, "detail dark light lambert terminator softness ");
   EXPECT_EQ(modules.at("lens_shape").at(0).at("name"), "sphere");
 }
 
@@ -98,7 +98,9 @@ TEST(Modules, DescribeWhatAPanelNeeds) {
   EXPECT_FALSE(radius.at("description").empty());
   radius.erase("description");
   EXPECT_EQ(radius, Json::parse(R"({"name": "radius", "title": "Radius", "type": "integer",
-      "default": 2, "minimum": 0, "maximum": 15, "step": 1, "unit": "px", "level": "basic"})"));
+      "default": 2, "minimum": 0, "maximum": 15, "step": 1, "unit": "px", "level": "basic",
+      "relative": {"name": "radius_per_mille", "minimum": 0, "maximum": 20, "step": 0.1,
+                   "unit": "per mille of the height"}})"));
   const Json& tone = found(modules.at("shading"), "tone").at("parameters");
   EXPECT_EQ(found(tone, "dark").at("type"), "colour");
   EXPECT_EQ(found(tone, "lambert").at("type"), "choice");

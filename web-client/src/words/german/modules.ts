@@ -1,6 +1,8 @@
 import type { ServedWords } from '../served.ts';
+import { filterParameters, filters } from './filters.ts';
 
 export const modules: ServedWords['modules'] = {
+  ...filters,
   'shading.tone': {
     title: 'Tonwert',
     description:
@@ -17,16 +19,6 @@ export const modules: ServedWords['modules'] = {
     title: 'Phong',
     description:
       'Umgebungslicht, diffuses Licht und Glanz auf einer Farbe: die Kontrolle für Vergleiche.',
-  },
-  'filter.kuwahara': {
-    title: 'Kuwahara',
-    description:
-      'Glättet Textur und behält Kanten: jedes Pixel nimmt die mittlere Farbe des ruhigsten der ' +
-      'vier Fenster um es herum.',
-  },
-  'filter.sobel': {
-    title: 'Sobel-Linien',
-    description: 'Zeichnet Linien, wo sich Farbe oder Deckung ändern.',
   },
   'lens_shape.sphere': {
     title: 'Kugel',
@@ -53,6 +45,7 @@ export const modules: ServedWords['modules'] = {
 };
 
 export const parameters: ServedWords['parameters'] = {
+  ...filterParameters,
   'shading.tone.detail': {
     title: 'Detail',
     description: '0 zeichnet zwei flache Töne mit einer Stufe am Terminator, 1 den ganzen Verlauf.',
@@ -76,6 +69,12 @@ export const parameters: ServedWords['parameters'] = {
     description:
       'Das n·l, bei dem die Mitte des Verlaufs liegt; bei 0 wendet sich die Oberfläche vom Licht ab. ' +
       'Nur beim halben Lambert.',
+  },
+  'shading.tone.softness': {
+    title: 'Weichheit der Stufe',
+    description:
+      'Breite der Stufe zwischen den beiden Tönen auf einer undurchsichtigen Oberfläche: bei 0 bleibt ' +
+      'sie hart, sonst ist sie mindestens ein Pixel des Bildes breit, sodass ihre Treppen verschwinden.',
   },
   'shading.gooch.colour': {
     title: 'Farbe',
@@ -108,49 +107,6 @@ export const parameters: ServedWords['parameters'] = {
   'shading.phong.diffuse': { title: 'Diffus', description: 'Anteil der Farbe, der n·l folgt.' },
   'shading.phong.specular': { title: 'Glanz', description: 'Helligkeit des weißen Glanzlichts.' },
   'shading.phong.exponent': { title: 'Exponent', description: 'Schärfe des Glanzlichts.' },
-  'filter.kuwahara.radius': {
-    title: 'Radius',
-    description:
-      'Reichweite der Fenster; 0 ändert nichts. Das ganze Fenster ist 2 Radius + 1 Pixel breit.',
-  },
-  'filter.sobel.strength': {
-    title: 'Stärke',
-    description:
-      'Deckkraft der Linien; 0 ändert nichts, 1 zeichnet die stärksten Kanten ganz schwarz oder weiß.',
-  },
-  'filter.sobel.mode': {
-    title: 'Modus',
-    description:
-      'Aufhellen addiert die Kanten, Abdunkeln zieht sie ab, Multiplizieren dunkelt um die Helligkeit ' +
-      'der Kante ab und behält den Farbton.',
-  },
-  'filter.sobel.source': {
-    title: 'Kanten von',
-    description:
-      'Wovon Linien gezeichnet werden: Farbe (jeder Kanal für sich), Helligkeit, Tiefe (Abstand vom ' +
-      'Auge) oder Normale (Richtung der Oberfläche).',
-  },
-  'filter.sobel.silhouettes': {
-    title: 'Umrisse',
-    description:
-      'Ob auch der eigene Umriss gezeichnet wird; der Rand, den eine Linse schneidet, nie.',
-  },
-  'filter.sobel.depth_step_mm': {
-    title: 'Tiefenstufe',
-    description: 'Für Kanten der Tiefe: der Unterschied, der als eine Stufe zählt.',
-  },
-  'filter.sobel.norm': {
-    title: 'Normierung',
-    description:
-      'Roh behält den Maßstab des Kerns, in dem eine Stufe von einem Viertel schon eine volle Kante ' +
-      'ist; Einheit teilt durch vier, sodass es eine Stufe von eins ist.',
-  },
-  'filter.sobel.gradient': {
-    title: 'Länge des Gradienten',
-    description:
-      'L1 summiert die Beträge beider Richtungen; L2 zieht die Wurzel ihrer Quadratsumme, sodass ' +
-      'schräge Linien so viel wiegen wie gerade.',
-  },
   'lens_shape.ellipsoid.width': {
     title: 'Breite',
     description: 'Ihre halbe Breite, in Radien der Linse.',

@@ -30,7 +30,7 @@ export const served: ServedWords = {
     raw: 'Roh',
     unit: 'Einheit',
   },
-  units: { 'per mm': 'je mm' },
+  units: { 'per mm': 'je mm', 'per mille of the height': '‰ der Höhe' },
   volumes: {
     'phantom:head': 'Kopfphantom',
     'phantom:abdomen': 'Bauchphantom',
