@@ -46,7 +46,7 @@ struct ShadeKey {
   LitShading lit;
   std::optional<Relief> relief = {};
   std::optional<CavityWall> wall = {};  ///< of the context alone
-  double resolution_scale = 1.0;  ///< picture pixels per viewport pixel
+  double resolution_scale = 1.0;        ///< picture pixels per viewport pixel
   bool operator==(const ShadeKey&) const = default;
 };
 

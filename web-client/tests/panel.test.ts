@@ -130,7 +130,12 @@ describe('the list of filters', () => {
 describe('the scene’s own controls', () => {
   it('take choices from the schema', () => {
     const control = sceneChoiceControl('lens.cap', 'Cut surfaces', scene);
-    expect(control.choices.map(({ value }) => value)).toEqual(['flat', 'gradient', 'open']);
+    expect(control.choices.map(({ value }) => value)).toEqual([
+      'flat',
+      'gradient',
+      'open',
+      'section',
+    ]);
     expect(control.toPatch('open')).toEqual({ lens: { cap: 'open' } });
   });
 

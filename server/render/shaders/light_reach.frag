@@ -152,5 +152,7 @@ void main() {
   vec3 position = ray.origin + surface.w * ray.volume_per_mm + patient_to_volume * off_mm;
   float turn = turn_of_pixel();
   if (directions > 0) reach.x = ambient_reach(position_mm, position, normal, turn);
-  if (shadow_rays > 0) reach.y = direct_reach(position_mm, position, normal, turn);
+  // What turns away from the light is dark without a shadow, and grazing light would meet the surface's own voxels.
+  float facing = smoothstep(0.0, 0.3, dot(normal, light_direction));
+  if (shadow_rays > 0) reach.y = mix(1.0, direct_reach(position_mm, position, normal, turn), facing);
 }

@@ -15,6 +15,12 @@ export const modules: ServedWords['modules'] = {
       'Das klassische Licht von warm nach kühl: Gelb zum Licht hin, Blau von ihm weg, je mit einem ' +
       'Anteil der eigenen Farbe der Oberfläche.',
   },
+  'shading.ramp': {
+    title: 'Verlauf',
+    description:
+      'Sechs Farben von der lichtabgewandten zur lichtzugewandten Seite, gemischt, wie das Auge sie ' +
+      'sieht: der Ton einer gemalten Tafel.',
+  },
   'shading.phong': {
     title: 'Phong',
     description:
@@ -89,6 +95,32 @@ export const parameters: ServedWords['parameters'] = {
   'shading.gooch.beta': {
     title: 'Farbe im warmen Ton (beta)',
     description: 'Anteil der Farbe der Oberfläche im warmen Ton.',
+  },
+  'shading.ramp.deepest': { title: 'Tiefste Farbe', description: 'Am weitesten vom Licht weg.' },
+  'shading.ramp.deep': { title: 'Tiefe Farbe', description: 'Anzeigecodiertes sRGB.' },
+  'shading.ramp.middle': { title: 'Mittlere Farbe', description: 'Anzeigecodiertes sRGB.' },
+  'shading.ramp.light': { title: 'Helle Farbe', description: 'Anzeigecodiertes sRGB.' },
+  'shading.ramp.lighter': { title: 'Hellere Farbe', description: 'Anzeigecodiertes sRGB.' },
+  'shading.ramp.lightest': { title: 'Hellste Farbe', description: 'Dem Licht zugewandt.' },
+  'shading.ramp.gamma': {
+    title: 'Gamma',
+    description:
+      'Exponent des Halb-Lambert-Terms (1 + n·l) / 2, der den Verlauf durchläuft: über 1 wird die ' +
+      'Mitte dunkler.',
+  },
+  'shading.ramp.step': {
+    title: 'Stufe',
+    description:
+      'Anteil einer weichen Stufe von der tiefsten zur hellsten Farbe; bei 0 wird der Verlauf ' +
+      'gleichmäßig durchlaufen.',
+  },
+  'shading.ramp.step_at': {
+    title: 'Ort der Stufe',
+    description: 'Wo auf dem Halb-Lambert-Term die Stufe ihre Mitte hat.',
+  },
+  'shading.ramp.step_width': {
+    title: 'Breite der Stufe',
+    description: 'Von ihrem Anfang bis zu ihrem Ende auf diesem Term.',
   },
   'shading.phong.model': {
     title: 'Glanzmodell',
