@@ -62,20 +62,28 @@ std::uint64_t GpuVolume::texture_bytes(const LoadedVolume& loaded) {
   return byte_size(loaded.volume) + byte_size(loaded.pyramid);
 }
 
+// A small copy goes with what came before it.
 void GpuVolume::upload_slab() {
+  std::size_t bytes = 0;
+  while (bytes < kSlabBytes && !is_complete()) bytes += upload_slices(kSlabBytes - bytes);
+}
+
+std::size_t GpuVolume::upload_slices(std::size_t most_bytes) {
   Level& level = levels_.at(uploading_);
   const glm::ivec3 size = level.texture.size_texels();
   const VoxelFormat format = voxel_format(*level.voxels);
   const std::size_t slice_bytes = format.bytes * static_cast<std::size_t>(size.x) * size.y;
-  const int slab = std::max(1, static_cast<int>(kSlabBytes / slice_bytes));
+  const int slab = std::max(1, static_cast<int>(most_bytes / slice_bytes));
   const int count = std::min(slab, size.z - uploaded_slices_);
   level.texture.upload_slices(uploaded_slices_, count, GL_RED, format.type,
                               format.data + slice_bytes * uploaded_slices_);
   check_device_memory();
   uploaded_slices_ += count;
-  if (uploaded_slices_ < size.z) return;
-  uploaded_slices_ = 0;
-  ++uploading_;
+  if (uploaded_slices_ == size.z) {
+    uploaded_slices_ = 0;
+    ++uploading_;
+  }
+  return slice_bytes * count;
 }
 
 void GpuVolume::upload_rest() {

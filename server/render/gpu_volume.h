@@ -84,6 +84,7 @@ class GpuVolume {
     glm::ivec3 factor;
     gl::Texture3D texture;
   };
+  std::size_t upload_slices(std::size_t most_bytes);  ///< returns how many it took
   void add_level(const Voxels& voxels, glm::ivec3 factor, glm::ivec3 size_voxels);
 
   std::vector<Level> levels_;

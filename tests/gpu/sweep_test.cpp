@@ -106,6 +106,7 @@ std::vector<Json> extremes_of(const Json& parameter) {
 Json premise_of(const std::string& parameter) {
   if (parameter == "depth_step_mm") return {{"source", "depth"}};
   if (parameter.starts_with("softness")) return {{"detail", 0}};
+  if (parameter.starts_with("step_")) return {{"step", 0.5}};
   return Json::object();
 }
 
