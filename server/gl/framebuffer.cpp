@@ -6,8 +6,7 @@
 
 namespace cutaway::gl {
 
-Framebuffer::Framebuffer(std::initializer_list<const Texture2D*> attachments,
-                         const Texture2D* depth) {
+Framebuffer::Framebuffer(std::span<const Texture2D* const> attachments, const Texture2D* depth) {
   GLuint name = 0;
   glCreateFramebuffers(1, &name);
   handle_ = FramebufferHandle(name);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 
 #include "core/pixel_rect.h"
 #include "gl/texture.h"
@@ -19,8 +20,11 @@ class Framebuffer {
  public:
   Framebuffer() = default;
   /// `depth`: the depth attachment, if there is to be one.
-  explicit Framebuffer(std::initializer_list<const Texture2D*> attachments,
+  explicit Framebuffer(std::span<const Texture2D* const> attachments,
                        const Texture2D* depth = nullptr);
+  explicit Framebuffer(std::initializer_list<const Texture2D*> attachments,
+                       const Texture2D* depth = nullptr)
+      : Framebuffer(std::span(attachments.begin(), attachments.size()), depth) {}
 
   GLuint name() const { return handle_.name(); }
 

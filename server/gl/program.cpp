@@ -106,13 +106,26 @@ void Program::set(const char* name, const glm::mat3& value) const {
   glProgramUniformMatrix3fv(handle_.name(), location(name), 1, GL_FALSE, &value[0][0]);
 }
 
+void Program::offer(const char* name, float value) const {
+  if (uses(name)) set(name, value);
+}
+void Program::offer(const char* name, int value) const {
+  if (uses(name)) set(name, value);
+}
+void Program::offer(const char* name, const glm::vec3& value) const {
+  if (uses(name)) set(name, value);
+}
+
+bool Program::uses(const char* name) const {
+  const auto known = locations_.find(name);
+  if (known == locations_.end())
+    return (locations_[name] = glGetUniformLocation(handle_.name(), name)) >= 0;
+  return known->second >= 0;
+}
+
 void Program::set_texture(const char* name, int unit, GLuint texture) const {
   glBindTextureUnit(static_cast<GLuint>(unit), texture);
   set(name, unit);
-}
-
-void Program::offer_texture(const char* name, int unit, GLuint texture) const {
-  if (glGetUniformLocation(handle_.name(), name) >= 0) set_texture(name, unit, texture);
 }
 
 }  // namespace cutaway::gl

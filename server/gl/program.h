@@ -30,13 +30,17 @@ class Program {
   void set(const char* name, const glm::vec3& value) const;
   void set(const char* name, const glm::mat3& value) const;
 
+  /// The same where the program uses it at all: for what only some of several programs read.
+  void offer(const char* name, float value) const;
+  void offer(const char* name, int value) const;
+  void offer(const char* name, const glm::vec3& value) const;
+
   /// Binds a texture to a unit and a sampler uniform to that unit.
   void set_texture(const char* name, int unit, GLuint texture) const;
-  /// The same where the program uses it at all.
-  void offer_texture(const char* name, int unit, GLuint texture) const;
 
  private:
   GLint location(const char* name) const;
+  bool uses(const char* name) const;
   void require_mention(const char* name) const;
   ProgramHandle handle_;
   std::string name_;       ///< of the fragment shader

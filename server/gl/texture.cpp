@@ -29,6 +29,7 @@ std::uint64_t texel_bytes(GLenum internal_format) {
       return 8;
     case GL_RGBA8:
     case GL_R32F:
+    case GL_RG16F:
     case GL_DEPTH_COMPONENT32F:
       return 4;
     default:

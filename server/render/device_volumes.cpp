@@ -14,7 +14,7 @@ std::shared_ptr<GpuVolume> DeviceVolumes::use(const std::shared_ptr<const Loaded
     return volumes_.front();
   }
   drop_unwanted();
-  while (used_bytes() + GpuVolume::texture_bytes(loaded->volume) > bytes_ && drop_oldest()) {
+  while (used_bytes() + GpuVolume::texture_bytes(*loaded) > bytes_ && drop_oldest()) {
   }
   return volumes_.emplace_front(place(loaded));
 }
@@ -53,10 +53,9 @@ void DeviceVolumes::drop_unwanted() {
 }
 
 std::uint64_t DeviceVolumes::used_bytes() const {
-  return std::accumulate(volumes_.begin(), volumes_.end(), std::uint64_t{0},
-                         [](std::uint64_t sum, const auto& volume) {
-                           return sum + GpuVolume::texture_bytes(volume->volume());
-                         });
+  return std::accumulate(
+      volumes_.begin(), volumes_.end(), std::uint64_t{0},
+      [](std::uint64_t sum, const auto& volume) { return sum + volume->texture_bytes(); });
 }
 
 }  // namespace cutaway

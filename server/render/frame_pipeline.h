@@ -14,6 +14,8 @@
 #include "render/filters/filter_pass.h"
 #include "render/frame_plan.h"
 #include "render/gpu_volume.h"
+#include "render/light_pass.h"
+#include "render/normals_pass.h"
 #include "render/ray_cast_pass.h"
 #include "render/render_settings.h"
 #include "render/resolve_pass.h"
@@ -31,6 +33,8 @@ inline constexpr const char* kRayCast = "ray cast";
 struct StageCounts {
   std::uint64_t entry = 0;
   std::uint64_t ray_cast = 0;
+  std::array<std::uint64_t, kBranches> normals{};  ///< at a scale
+  std::array<std::uint64_t, kBranches> light{};
   std::array<std::uint64_t, kBranches> shade{};
   std::array<std::uint64_t, kBranches> filters{};
   std::uint64_t composite = 0;
@@ -49,6 +53,8 @@ class ViewState {
  private:
   friend class FramePipeline;
   struct Branch {
+    Stage<NormalsKey> normals;
+    Stage<LightKey> light;
     Stage<ShadeKey> shade;
     std::deque<Stage<FilterKey>> filters;  ///< stay where they are while a plan refers to them
   };
@@ -86,6 +92,10 @@ class FramePipeline {
   /// supersampled rays.
   static std::vector<glm::vec4> read_surface(const ViewState& view, BranchIndex branch);
   static glm::ivec2 surface_size_px(const ViewState& view);
+  /// The same with normals at a scale, where the branch asked for them.
+  static std::vector<glm::vec4> read_calmed(const ViewState& view, BranchIndex branch);
+  /// How much light comes to each pixel of a branch: x ambient, y direct. Of the picture's size.
+  static std::vector<glm::vec4> read_reach(const ViewState& view, BranchIndex branch);
   /// The same for the layers of translucent material: premultiplied colour and opacity.
   static std::vector<glm::vec4> read_layers(const ViewState& view, BranchIndex branch);
 
@@ -98,6 +108,7 @@ class FramePipeline {
     ViewBuffers& buffers;
     const RenderSettings& settings;
     ViewRegions regions;
+    int viewport_height_px;
     FramePlan& plan;
   };
   /// A branch's last picture and how to know that it changed.
@@ -107,12 +118,21 @@ class FramePipeline {
   };
   std::uint64_t find_entries(const Draft& draft, const RayCastKey& rays, GpuVolume& volume);
   std::uint64_t cast_rays(const Draft& draft, const RayCastKey& key, GpuVolume& volume);
-  BranchPicture shade(const Draft& draft, BranchIndex index, const ShadeKey& key);
+  /// A branch's surface and how to know that it changed.
+  BranchPicture calm_normals(const Draft& draft, BranchIndex index, const NormalsKey& key,
+                             const GpuVolume& volume);
+  std::uint64_t reach_of_light(const Draft& draft, BranchIndex index, const LightKey& key,
+                               const gl::Texture2D& surface, const GpuVolume& volume);
+  BranchPicture shade_surface(const Draft& draft, BranchIndex index, const Scene& scene,
+                              BranchPicture surface, const ViewRays& rays, const GpuVolume& volume);
+  BranchPicture shade(const Draft& draft, BranchIndex index, const ShadeKey& key,
+                      const gl::Texture2D& surface, const GpuVolume& volume);
   BranchPicture resolve(const Draft& draft, BranchIndex index, std::uint64_t layers_version);
   BranchPicture filter(const Draft& draft, BranchIndex index, const std::vector<Module>& filters,
-                       BranchPicture picture);
+                       BranchPicture picture, const gl::Texture2D& surface);
   std::vector<Pass> filter_steps(const Draft& draft, BranchIndex index, const FilterKey& key,
-                                 const gl::Texture2D& input, const ColourTarget& target);
+                                 const gl::Texture2D& input, const gl::Texture2D& surface,
+                                 const ColourTarget& target);
   std::uint64_t composite(const Draft& draft, const CompositeKey& key);
   std::uint64_t picture_of_volume(ViewState& view, const Scene& scene, GpuVolume& volume,
                                   const RenderSettings& settings, FramePlan& plan);
@@ -124,6 +144,8 @@ class FramePipeline {
   gl::ShaderLibrary shaders_;
   EntryPass entry_pass_;
   RayCastPass ray_cast_pass_;
+  NormalsPass normals_pass_;
+  LightPass light_pass_;
   ShadePass shade_pass_;
   ResolvePass resolve_pass_;
   FilterPass filter_pass_;

@@ -10,6 +10,9 @@ namespace cutaway {
 
 namespace {
 
+/// Above every stored value.
+constexpr float kNoUpperLimit = 3e38F;
+
 constexpr std::size_t kSlabBytes = std::size_t{8} << 20;
 
 struct VoxelFormat {
@@ -38,31 +41,49 @@ void check_device_memory() {
 }  // namespace
 
 GpuVolume::GpuVolume(std::shared_ptr<const LoadedVolume> loaded, int max_texture_size)
-    : loaded_(std::move(loaded)) {
+    : loaded_(std::move(loaded)), tissues_(tissue_ramp(*loaded_)) {
   const glm::ivec3 size = volume().geometry.size_voxels;
   check_texture_limit(size, max_texture_size);
-  const VoxelFormat format = voxel_format(volume().voxels);
-  if (format.type == GL_UNSIGNED_SHORT) stored_scale_ = 1.0 / 65535.0;
+  if (voxel_format(volume().voxels).type == GL_UNSIGNED_SHORT) stored_scale_ = 1.0 / 65535.0;
   glGetError();  // what went wrong before is not this volume's
-  texture_ = gl::Texture3D(format.internal_format, size, gl::Filtering::linear);
+  add_level(volume().voxels, glm::ivec3(1), size);
+  for (const CoarseLevel& level : loaded_->pyramid)
+    add_level(level.voxels, level.factor, level.size_voxels);
   check_device_memory();
 }
 
-std::uint64_t GpuVolume::texture_bytes(const Volume& volume) {
-  const glm::u64vec3 size(volume.geometry.size_voxels);
-  return size.x * size.y * size.z * voxel_format(volume.voxels).bytes;
+void GpuVolume::add_level(const Voxels& voxels, glm::ivec3 factor, glm::ivec3 size_voxels) {
+  levels_.push_back(
+      {&voxels, factor,
+       gl::Texture3D(voxel_format(voxels).internal_format, size_voxels, gl::Filtering::linear)});
 }
 
+std::uint64_t GpuVolume::texture_bytes(const LoadedVolume& loaded) {
+  return byte_size(loaded.volume) + byte_size(loaded.pyramid);
+}
+
+// A small copy goes with what came before it.
 void GpuVolume::upload_slab() {
-  const glm::ivec3 size = volume().geometry.size_voxels;
-  const VoxelFormat format = voxel_format(volume().voxels);
+  std::size_t bytes = 0;
+  while (bytes < kSlabBytes && !is_complete()) bytes += upload_slices(kSlabBytes - bytes);
+}
+
+std::size_t GpuVolume::upload_slices(std::size_t most_bytes) {
+  Level& level = levels_.at(uploading_);
+  const glm::ivec3 size = level.texture.size_texels();
+  const VoxelFormat format = voxel_format(*level.voxels);
   const std::size_t slice_bytes = format.bytes * static_cast<std::size_t>(size.x) * size.y;
-  const int slab = std::max(1, static_cast<int>(kSlabBytes / slice_bytes));
+  const int slab = std::max(1, static_cast<int>(most_bytes / slice_bytes));
   const int count = std::min(slab, size.z - uploaded_slices_);
-  texture_.upload_slices(uploaded_slices_, count, GL_RED, format.type,
-                         format.data + slice_bytes * uploaded_slices_);
+  level.texture.upload_slices(uploaded_slices_, count, GL_RED, format.type,
+                              format.data + slice_bytes * uploaded_slices_);
   check_device_memory();
   uploaded_slices_ += count;
+  if (uploaded_slices_ == size.z) {
+    uploaded_slices_ = 0;
+    ++uploading_;
+  }
+  return slice_bytes * count;
 }
 
 void GpuVolume::upload_rest() {
@@ -70,7 +91,14 @@ void GpuVolume::upload_rest() {
 }
 
 double GpuVolume::uploaded() const {
-  return static_cast<double>(uploaded_slices_) / volume().geometry.size_voxels.z;
+  double all = 0.0;
+  double done = 0.0;
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    const glm::dvec3 size(levels_[i].texture.size_texels());
+    all += size.x * size.y * size.z;
+    done += size.x * size.y * (i < uploading_ ? size.z : i == uploading_ ? uploaded_slices_ : 0.0);
+  }
+  return done / all;
 }
 
 float GpuVolume::to_stored(double physical_value) const {
@@ -78,13 +106,31 @@ float GpuVolume::to_stored(double physical_value) const {
                             stored_scale_);
 }
 
+glm::vec2 GpuVolume::to_stored(const ValueBand& band) const {
+  return {to_stored(band.lower), band.has_upper_end() ? to_stored(band.upper) : kNoUpperLimit};
+}
+
 void GpuVolume::set_uniforms(const gl::Program& program, int unit) const {
   const VolumeGeometry& geometry = volume().geometry;
-  program.set_texture("volume_texture", unit, texture_.name());
+  program.set_texture("volume_texture", unit, levels_.front().texture.name());
   const glm::dvec3 size(geometry.size_voxels);
   program.set("voxel_size", glm::vec3(1.0 / size));
   program.set("volume_size_mm", glm::vec3(size * geometry.spacing_mm));
   program.set("volume_direction", glm::mat3(geometry.direction_patient));
+}
+
+std::vector<glm::ivec3> GpuVolume::level_factors() const {
+  std::vector<glm::ivec3> factors;
+  for (const Level& level : levels_) factors.push_back(level.factor);
+  return factors;
+}
+
+void GpuVolume::set_level(const gl::Program& program, int unit, std::size_t number) const {
+  const Level& level = levels_.at(number);
+  program.set_texture("coarse_texture", unit, level.texture.name());
+  // The last texel may reach beyond the volume.
+  const glm::vec3 spanned(level.texture.size_texels() * level.factor);
+  program.set("coarse_from_volume", glm::vec3(volume().geometry.size_voxels) / spanned);
 }
 
 void GpuVolume::set_empty_space(const gl::Program& program, int unit,

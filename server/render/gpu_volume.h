@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/empty_space.h"
+#include "render/tissue_ramp.h"
 #include "volume/loaded_volume.h"
 
 namespace cutaway {
@@ -32,20 +34,34 @@ class GpuVolume {
   void upload_rest();
   double uploaded() const;  ///< fraction, 0..1
   /// Until then nothing can be drawn from it.
-  bool is_complete() const { return uploaded_slices_ == volume().geometry.size_voxels.z; }
+  bool is_complete() const { return uploading_ == levels_.size(); }
 
   const Volume& volume() const { return loaded_->volume; }
   VolumeIdentity identity() const { return {loaded_}; }
   /// Whether anyone but this holds the loaded volume.
   bool is_wanted() const { return loaded_.use_count() > 1; }
-  /// What the texture of a volume takes on the device.
-  static std::uint64_t texture_bytes(const Volume& volume);
+  /// What the textures of a volume take on the device.
+  static std::uint64_t texture_bytes(const LoadedVolume& loaded);
+  std::uint64_t texture_bytes() const { return texture_bytes(*loaded_); }
 
   /// A physical value as the shaders' samples have it.
   float to_stored(double physical_value) const;
+  /// Lower and upper limit; where there is no upper one, above every stored value (NO_UPPER_LIMIT
+  /// of shaders/bands.glsl).
+  glm::vec2 to_stored(const ValueBand& band) const;
+
+  const TissueRamp& tissues() const { return tissues_; }
 
   /// Uniforms of shaders/volume.glsl; the texture goes to `unit`.
   void set_uniforms(const gl::Program& program, int unit) const;
+
+  /// The coarser copies; see LoadedVolume::pyramid.
+  std::size_t coarse_levels() const { return levels_.size() - 1; }
+  /// Uniforms of shaders/coarse_volume.glsl for the level `number`, 0 for the volume itself; the
+  /// texture goes to `unit`.
+  void set_level(const gl::Program& program, int unit, std::size_t number) const;
+  /// Voxels that a texel of each level spans, from the volume's own on.
+  std::vector<glm::ivec3> level_factors() const;
 
   /// For the bands of context and focus; see EmptySpace.
   const EmptySpaceMaps& empty_space(const ValueBand& context, const ValueBand& focus) {
@@ -62,9 +78,20 @@ class GpuVolume {
 
  private:
   std::shared_ptr<const LoadedVolume> loaded_;
-  gl::Texture3D texture_;
-  int uploaded_slices_ = 0;
+  /// The volume, then its coarser copies.
+  struct Level {
+    const Voxels* voxels;  ///< of `loaded_`
+    glm::ivec3 factor;
+    gl::Texture3D texture;
+  };
+  std::size_t upload_slices(std::size_t most_bytes);  ///< returns how many it took
+  void add_level(const Voxels& voxels, glm::ivec3 factor, glm::ivec3 size_voxels);
+
+  std::vector<Level> levels_;
+  std::size_t uploading_ = 0;  ///< the level of which slices are missing
+  int uploaded_slices_ = 0;    ///< of that one
   double stored_scale_ = 1.0;  ///< texture units per stored number
+  TissueRamp tissues_;
   EmptySpace empty_space_;
 };
 

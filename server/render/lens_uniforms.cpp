@@ -30,4 +30,12 @@ void set_lens_body(const gl::Program& program, const Lens& lens) {
   program.set("body_per_mm", static_cast<float>(body.body_per_mm()));
 }
 
+void set_funnel(const gl::Program& program, const std::optional<Funnel>& funnel) {
+  const Funnel opened = funnel.value_or(Funnel{});
+  program.set("funnel_foot_mm", glm::vec3(opened.foot_mm));
+  program.set("funnel_axis", glm::vec3(opened.axis));
+  program.set("funnel_radius_mm", static_cast<float>(opened.radius_mm));
+  program.set("funnel_widening", static_cast<float>(opened.widening));
+}
+
 }  // namespace cutaway

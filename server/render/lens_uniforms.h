@@ -2,10 +2,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gl/program.h"
+#include "scene/lenses/funnel.h"
 #include "scene/scene.h"
 
 namespace cutaway {
@@ -21,5 +23,8 @@ std::map<std::string, std::string> lens_definitions(const std::string& body_file
 
 /// In a program that includes lens.glsl, of the lens' body.
 void set_lens_body(const gl::Program& program, const Lens& lens);
+
+/// In a program that includes funnel.glsl.
+void set_funnel(const gl::Program& program, const std::optional<Funnel>& funnel);
 
 }  // namespace cutaway

@@ -15,11 +15,6 @@ namespace {
 /// Neighbouring rays meet a surface that the lens cuts within about so many voxels of each other.
 constexpr double kRimVoxels = 2.0;
 
-/// Above every stored value: NO_UPPER_LIMIT of shaders/bands.glsl.
-constexpr float kNoUpperLimit = 3e38F;
-
-/// See shaders/branches.glsl: the ray left the volume.
-constexpr glm::vec4 kNothingMet(0.0F, 0.0F, 0.0F, -1.0F);
 constexpr glm::vec4 kNoLayer(0.0F);
 
 const char* mode_name(LensMode mode) {
@@ -34,7 +29,7 @@ const char* mode_name(LensMode mode) {
 }
 
 void set_lens(const gl::Program& program, const Lens& lens) {
-  program.set("flat_caps", lens.cap == LensCap::flat ? 1 : 0);
+  program.set("flat_caps", lens.cap == LensCap::flat || lens.cap == LensCap::section ? 1 : 0);
   program.set("open_caps", lens.cap == LensCap::open ? 1 : 0);
   set_lens_body(program, lens);
 }
@@ -43,9 +38,9 @@ void set_bands(const gl::Program& program, const RayCastKey& key, const GpuVolum
   glm::vec2 lower;
   glm::vec2 upper;
   for (int i = 0; i < static_cast<int>(kBranches); ++i) {
-    const ValueBand& band = key.surfaces[i].band;
-    lower[i] = volume.to_stored(band.lower);
-    upper[i] = band.has_upper_end() ? volume.to_stored(band.upper) : kNoUpperLimit;
+    const glm::vec2 band = volume.to_stored(key.surfaces[i].band);
+    lower[i] = band.x;
+    upper[i] = band.y;
   }
   program.set("lower_limits", lower);
   program.set("upper_limits", upper);
@@ -106,7 +101,7 @@ void RayCastPass::run(const RayCastKey& key, GpuVolume& volume, const ViewBuffer
                       const gl::PixelRect& strip, const gl::PixelRect& lens,
                       const gl::FullscreenTriangle& triangle) const {
   const LensMode mode = key.lens.radius_mm > 0.0 ? key.lens.mode : LensMode::none;
-  const bool is_local = mode == LensMode::cutaway;
+  const bool is_local = mode == LensMode::cutaway && !key.funnel;
   const gl::PixelRect within = is_local ? common_part(strip, lens) : strip;
   if (!within.is_empty())
     draw(entry_for(mode, key.lens), key, volume, buffers, {{within}}, triangle);
@@ -128,6 +123,7 @@ void RayCastPass::draw(const Entry& entry, const RayCastKey& key, GpuVolume& vol
   program.set("pixel_size", 2.0F * glm::length(key.rays.view_up) / key.rays.whole_px.y);
   set_search(program, key, volume);
   set_lens(program, key.lens);
+  set_funnel(program, key.funnel);
   if (key.is_translucent()) set_lit_shadings(program, key);
   const gl::DepthTest test(gl::DepthTest::over_drawn);
   for (const gl::PixelRect& part : parts) {

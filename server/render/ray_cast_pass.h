@@ -10,6 +10,7 @@
 #include "render/shade_pass.h"
 #include "render/view_buffers.h"
 #include "render/view_rays.h"
+#include "scene/lenses/funnel.h"
 
 namespace cutaway {
 
@@ -21,6 +22,7 @@ struct RayCastKey {
   /// Where a branch lets light through, layers are coloured on the way; nothing else looks here.
   std::optional<std::array<LitShading, kBranches>> lit;
   Lens lens;  ///< only what shapes its region: what the composite alone reads is empty
+  std::optional<Funnel> funnel;
   double step_voxels = 1.0;
   bool skip_empty_space = true;
   bool operator==(const RayCastKey&) const = default;

@@ -12,18 +12,9 @@ constexpr GLenum kSurfaceFormat = GL_RGBA32F;
 constexpr GLenum kLayersFormat = GL_RGBA32F;
 constexpr GLenum kColourFormat = GL_RGBA16F;
 constexpr GLenum kSilhouetteFormat = GL_R8;
+constexpr GLenum kReachFormat = GL_RG16F;
 constexpr GLenum kPictureFormat = GL_RGBA8;
 constexpr GLenum kPlaneFormat = GL_R8;
-constexpr GLenum kSumsFormat = GL_RGBA32F;
-constexpr GLenum kSquaresFormat = GL_R32F;
-
-/// Of filters' first step and of their second.
-glm::ivec2 rows_size_px(glm::ivec2 picture_size_px, int reach_px) {
-  return picture_size_px + glm::ivec2(reach_px, 2 * reach_px);
-}
-glm::ivec2 windows_size_px(glm::ivec2 picture_size_px, int reach_px) {
-  return picture_size_px + reach_px;
-}
 
 ColourTarget colour_target(GLenum format, glm::ivec2 size_px,
                            const gl::Texture2D* depth = nullptr) {
@@ -34,17 +25,6 @@ ColourTarget colour_target(GLenum format, glm::ivec2 size_px,
 }
 
 }  // namespace
-
-FilterSums filter_sums(glm::ivec2 picture_size_px, int reach_px) {
-  const glm::ivec2 windows_px = windows_size_px(picture_size_px, reach_px);
-  const glm::ivec2 rows_px = rows_size_px(picture_size_px, reach_px);
-  FilterSums sums{.colour_sums = {kSumsFormat, rows_px, gl::Filtering::nearest},
-                  .square_sums = {kSquaresFormat, rows_px, gl::Filtering::nearest},
-                  .windows = {kSumsFormat, windows_px, gl::Filtering::nearest}};
-  sums.rows_target = gl::Framebuffer({&sums.colour_sums, &sums.square_sums});
-  sums.windows_target = gl::Framebuffer({&sums.windows});
-  return sums;
-}
 
 ViewBuffers::ViewBuffers(glm::ivec2 picture_size_px, int supersampling)
     : picture_size_px_(picture_size_px), supersampling_(supersampling) {
@@ -83,20 +63,19 @@ ColourTarget& ViewBuffers::filtered(BranchIndex branch, std::size_t index) {
 
 std::uint64_t ViewBuffers::bytes() const {
   std::uint64_t sum = picture.texture.bytes() + entry.bytes() + entry_depth.bytes() +
-                      luma.texture.bytes() + cb.bytes() + cr.bytes() + sums_.colour_sums.bytes() +
-                      sums_.square_sums.bytes() + sums_.windows.bytes();
+                      luma.texture.bytes() + cb.bytes() + cr.bytes() + work_.bytes();
   for (const BranchBuffers& branch : branches) {
-    sum += branch.surface.bytes() + branch.layers.bytes() + branch.shaded.bytes() +
+    sum += branch.calmed.bytes() + branch.reach_raw.texture.bytes() + branch.reach.texture.bytes() +
+           branch.surface.bytes() + branch.layers.bytes() + branch.shaded.bytes() +
            branch.silhouette.bytes();
     for (const ColourTarget& target : branch.filtered) sum += target.texture.bytes();
   }
   return sum;
 }
 
-void ViewBuffers::prepare_sums(int reach_px) {
-  if (reach_px == sums_reach_px_) return;
-  sums_ = reach_px == 0 ? FilterSums() : filter_sums(picture_size_px_, reach_px);
-  sums_reach_px_ = reach_px;
+void ViewBuffers::prepare_work(const WorkNeeds& needs) {
+  if (needs == work_.needs()) return;
+  work_ = FilterWork(needs, picture_size_px_);
 }
 
 void ViewBuffers::prepare_layers() {
@@ -106,6 +85,20 @@ void ViewBuffers::prepare_layers() {
   layers_target = gl::Framebuffer({&branches[kContext].surface, &branches[kFocus].surface,
                                    &branches[kContext].layers, &branches[kFocus].layers},
                                   &entry_depth);
+}
+
+void ViewBuffers::prepare_calmed(BranchIndex branch) {
+  BranchBuffers& buffers = branches[branch];
+  if (buffers.calmed.name() != 0) return;
+  buffers.calmed = gl::Texture2D(kSurfaceFormat, surface_size_px(), gl::Filtering::nearest);
+  buffers.calmed_target = gl::Framebuffer({&buffers.calmed}, &entry_depth);
+}
+
+void ViewBuffers::prepare_reach(BranchIndex branch) {
+  BranchBuffers& buffers = branches[branch];
+  if (buffers.reach.texture.name() != 0) return;
+  for (ColourTarget* target : {&buffers.reach_raw, &buffers.reach})
+    *target = colour_target(kReachFormat, picture_size_px_, picture_depth());
 }
 
 void ViewBuffers::prepare_planes(PixelLayout layout) {
@@ -139,11 +132,14 @@ std::uint64_t branch_bytes(const BufferNeeds& needs) {
   return sum;
 }
 
-std::uint64_t sums_bytes(const BufferNeeds& needs) {
-  if (needs.reach_px == 0) return 0;
-  const glm::ivec2 rows_px = rows_size_px(needs.picture_size_px, needs.reach_px);
-  return bytes(kSumsFormat, rows_px) + bytes(kSquaresFormat, rows_px) +
-         bytes(kSumsFormat, windows_size_px(needs.picture_size_px, needs.reach_px));
+std::uint64_t light_bytes(const BufferNeeds& needs) {
+  std::uint64_t sum = 0;
+  for (std::size_t branch = 0; branch < kBranches; ++branch) {
+    if (needs.calmed[branch])
+      sum += bytes(kSurfaceFormat, needs.picture_size_px * needs.supersampling);
+    if (needs.reach[branch]) sum += 2 * bytes(kReachFormat, needs.picture_size_px);
+  }
+  return sum;
 }
 
 std::uint64_t plane_bytes(const BufferNeeds& needs) {
@@ -159,13 +155,14 @@ std::uint64_t plane_bytes(const BufferNeeds& needs) {
 std::uint64_t bytes_for(const BufferNeeds& needs) {
   const std::uint64_t picture = bytes(kPictureFormat, needs.picture_size_px) + plane_bytes(needs);
   if (!needs.casts_rays) return picture;
-  return picture + ray_bytes(needs) + branch_bytes(needs) + sums_bytes(needs);
+  return picture + ray_bytes(needs) + branch_bytes(needs) + light_bytes(needs) +
+         bytes_for(needs.work, needs.picture_size_px);
 }
 
 int longest_side_px(const BufferNeeds& needs) {
   const glm::ivec2 rays_px =
       needs.casts_rays ? needs.picture_size_px * needs.supersampling : needs.picture_size_px;
-  const glm::ivec2 longest = glm::max(rays_px, rows_size_px(needs.picture_size_px, needs.reach_px));
+  const glm::ivec2 longest = glm::max(rays_px, needs.picture_size_px + needs.work.beyond_px);
   return std::max(longest.x, longest.y) + 1;  // luma of an odd side is padded
 }
 

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <deque>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
+#include "render/filters/filter_work.h"
 #include "render/render_settings.h"
 
 namespace cutaway {
@@ -15,35 +17,25 @@ namespace cutaway {
 enum BranchIndex : std::size_t { kContext = 0, kFocus = 1 };
 inline constexpr std::size_t kBranches = 2;
 
+/// Of a surface buffer's texel: the ray left the volume. See shaders/branches.glsl.
+inline constexpr glm::vec4 kNothingMet(0.0F, 0.0F, 0.0F, -1.0F);
+
 /// One colour texture with its framebuffer.
 struct ColourTarget {
   gl::Texture2D texture;
   gl::Framebuffer framebuffer;
 };
 
-/// What a filter of several steps, as Kuwahara's, hands from one to the next, larger than the
-/// picture by its reach. Filters run one after the other, so those of a view share it; views do
-/// not, since their strips are drawn in turn.
-struct FilterSums {
-  gl::Texture2D colour_sums;  ///< RGBA32F, drawn by a filter's first step
-  gl::Texture2D square_sums;  ///< R32F, likewise
-  gl::Texture2D windows;      ///< RGBA32F, by its second
-  gl::Framebuffer rows_target;
-  gl::Framebuffer windows_target;
-
-  const gl::Framebuffer& target_of_step(int step) const {
-    return step == 0 ? rows_target : windows_target;
-  }
-};
-
-FilterSums filter_sums(glm::ivec2 picture_size_px, int reach_px);
-
 struct BranchBuffers {
   gl::Texture2D surface;     ///< RGBA32F, see shaders/branches.glsl
+  gl::Texture2D calmed;      ///< the same with normals at a scale; not there where nobody asks
+  ColourTarget reach_raw;    ///< RG16F, of light; a texel a pixel, see shaders/light_reach.frag
+  ColourTarget reach;        ///< RG16F, the same without its pattern
   gl::Texture2D layers;      ///< RGBA32F, of translucent material: premultiplied colour, opacity
   gl::Texture2D shaded;      ///< RGBA16F: display-encoded colour, coverage
   gl::Texture2D silhouette;  ///< R8: coverage as if no lens had taken anything away
   gl::Framebuffer shade_target;
+  gl::Framebuffer calmed_target;
   std::deque<ColourTarget>
       filtered;  ///< one for each filter, kept so that an unchanged one need not run again
 };
@@ -56,7 +48,9 @@ struct BufferNeeds {
   bool casts_rays = true;
   bool is_translucent = false;
   std::array<std::size_t, kBranches> filters{};
-  int reach_px = 0;  ///< of filters' sums; 0: nobody needs them
+  std::array<bool, kBranches> calmed{};
+  std::array<bool, kBranches> reach{};
+  WorkNeeds work;  ///< of the filters' steps
 };
 
 /// What ViewBuffers take on the device once all of it is drawn.
@@ -81,11 +75,14 @@ class ViewBuffers {
   ColourTarget& filtered(BranchIndex branch, std::size_t index);
   /// Makes sure that there is what rays need: a slice casts none.
   void prepare_rays();
-  /// Sums that reach that far beyond the picture; 0: nobody needs them.
-  void prepare_sums(int reach_px);
-  const FilterSums& sums() const { return sums_; }
+  /// Makes sure that filters have just that.
+  void prepare_work(const WorkNeeds& needs);
+  const FilterWork& work() const { return work_; }
   /// Makes sure that both branches' layers and their target exist.
   void prepare_layers();
+  /// Makes sure that there is room for a branch's normals at a scale, or for the light's reach.
+  void prepare_calmed(BranchIndex branch);
+  void prepare_reach(BranchIndex branch);
   /// Makes sure that the planes of `layout` exist.
   void prepare_planes(PixelLayout layout);
 
@@ -108,8 +105,7 @@ class ViewBuffers {
 
   glm::ivec2 picture_size_px_;
   int supersampling_;
-  FilterSums sums_;
-  int sums_reach_px_ = 0;
+  FilterWork work_;
 };
 
 }  // namespace cutaway

@@ -5,6 +5,7 @@
 
 #include "scene/embedded.h"
 #include "scene/lenses/lens_shape.h"
+#include "scene/relative_lengths.h"
 #include "scene/schema.h"
 
 namespace cutaway {
@@ -36,13 +37,31 @@ Json describe_parameter(const std::string& name, const Json& parameter) {
   return description;
 }
 
+/// The same length in per mille of the picture's height, where the module takes it.
+Json describe_relative(const std::string& name, const Json& parameter) {
+  return {{"name", name},
+          {"minimum", parameter.at("minimum")},
+          {"maximum", parameter.at("maximum")},
+          {"step", parameter.at("x-step")},
+          {"unit", parameter.at("x-unit")}};
+}
+
+Json describe_parameter_of(const Json& module, const std::string& name) {
+  const Json& parameters = module.at("properties");
+  Json description = describe_parameter(name, parameters.at(name));
+  const std::string relative = per_mille_name(name);
+  if (parameters.contains(relative))
+    description["relative"] = describe_relative(relative, parameters.at(relative));
+  return description;
+}
+
 /// `ordered` is the module as it stands in the file: Json sorts its fields, and people want the
 /// author's order.
 Json describe_module(const Json& module, const OrderedJson& ordered) {
   Json parameters = Json::array();
   for (const auto& [name, field] : ordered.at("properties").items())
-    if (name != "name" && !field.contains("x-alias"))
-      parameters.push_back(describe_parameter(name, module.at("properties").at(name)));
+    if (name != "name" && !field.contains("x-alias") && !is_per_mille(name))
+      parameters.push_back(describe_parameter_of(module, name));
   return {{"name", module.at("properties").at("name").at("const")},
           {"title", module.at("title")},
           {"description", module.at("description")},

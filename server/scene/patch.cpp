@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "scene/json_text.h"
 #include "scene/module_aliases.h"
+#include "scene/relative_lengths.h"
 #include "scene/resolve.h"
 #include "scene/scene_fields.h"
 #include "scene/schema.h"
@@ -25,6 +26,7 @@ void merge(Json& target, const Json& patch) {
     return;
   }
   if (!target.is_object() || names_another_module(target, patch)) target = Json::object();
+  forget_other_lengths(target, patch);
   for (const auto& [key, value] : patch.items()) {
     if (value.is_null())
       target.erase(key);

@@ -7,6 +7,7 @@
 #include "scene/json_text.h"
 #include "scene/module_aliases.h"
 #include "scene/refuse_scene.h"
+#include "scene/relative_lengths.h"
 #include "scene/resolve_slices.h"
 #include "scene/scene_json.h"
 #include "scene/schema.h"
@@ -92,7 +93,10 @@ void check_light(const Light& light) {
 
 }  // namespace
 
-void validate_scene_document(const Json& document) { validate(document, "scene"); }
+void validate_scene_document(const Json& document) {
+  validate(document, "scene");
+  refuse_both_lengths(document);
+}
 
 Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport viewport) {
   LensMemory lenses;
@@ -103,7 +107,9 @@ namespace {
 
 Scene with_choices(const Json& document, const VolumeFacts& volume, Viewport viewport,
                    LensMemory& lenses) {
-  const Json said = with_defaults(without_aliases(document), "scene");
+  const Json named = without_aliases(document);
+  refuse_both_lengths(named);
+  const Json said = with_defaults(named, "scene");
   Scene scene = scene_from(said);
   if (!said.contains("volume")) scene.volume = volume.id;
   scene.viewport = viewport;

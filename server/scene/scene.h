@@ -50,23 +50,67 @@ struct Surface {
   bool operator==(const Surface&) const = default;
 };
 
+enum class NormalScale { fixed, automatic };
+enum class Reconstruction { linear, cubic };
+
+/// Where a surface's normals come from.
+struct Normals {
+  NormalScale scale = NormalScale::fixed;
+  double scale_mm = 0.0;  ///< standard deviation of the Gaussian; 0: neighbouring voxels
+  Reconstruction reconstruction = Reconstruction::linear;
+  bool operator==(const Normals&) const = default;
+};
+
+/// Ambient light that is kept away.
+struct Occlusion {
+  double strength = 0.0;
+  std::optional<double> range_mm;  ///< else what follows from the lens and the volume
+  double near_share = 0.0;         ///< of a quarter of the range
+  glm::dvec3 colour{0.0};
+  bool operator==(const Occlusion&) const = default;
+};
+
+struct Shadow {
+  double strength = 0.0;
+  double softness_degrees = 0.0;
+  bool operator==(const Shadow&) const = default;
+};
+
 /// One of the two ways in which a point of the volume can be drawn.
 struct Branch {
   Surface surface;
   Module shading;
+  Normals normals;
+  Occlusion occlusion;
+  Shadow shadow;
   std::vector<Module> filters;  ///< in the order they run
   bool operator==(const Branch&) const = default;
 };
 
 enum class LensMode { none, cutaway, magic };
-enum class LensCap { flat, gradient, open };
+/// Whether the cutaway goes on towards the eye.
+enum class LensOpening { closed, funnel };
+enum class LensCap { flat, gradient, open, section };
+
+/// Of the cavity that the cutaway's lens makes.
+struct Wall {
+  double strength = 0.0;
+  glm::dvec3 colour{0.0};
+  double deepening = 0.0;
+  double edge_mm = 0.0;
+  glm::dvec3 edge_colour{0.0};
+  bool operator==(const Wall&) const = default;
+};
 
 struct Lens {
   LensMode mode = LensMode::none;
   Module shape;
   glm::dvec3 centre_mm{0.0};
   double radius_mm = 0.0;
+  LensOpening opening = LensOpening::closed;
+  double funnel_degrees = 0.0;  ///< by how much its side leans away from the axis
   LensCap cap = LensCap::flat;
+  Wall wall;
   double strength = 0.0;  ///< magic: the focus' share in the middle, 0..1
   double softness = 0.0;  ///< magic: share of the radius over which it fades out, 0..1
   bool strict = false;    ///< magic: the context fades where the focus is empty, too

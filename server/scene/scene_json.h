@@ -12,7 +12,14 @@ NLOHMANN_JSON_SERIALIZE_ENUM(LensMode, {{LensMode::none, "none"},
                                         {LensMode::magic, "magic"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(LensCap, {{LensCap::flat, "flat"},
                                        {LensCap::gradient, "gradient"},
-                                       {LensCap::open, "open"}})
+                                       {LensCap::open, "open"},
+                                       {LensCap::section, "section"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(LensOpening,
+                             {{LensOpening::closed, "closed"}, {LensOpening::funnel, "funnel"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(NormalScale,
+                             {{NormalScale::fixed, "fixed"}, {NormalScale::automatic, "auto"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Reconstruction,
+                             {{Reconstruction::linear, "linear"}, {Reconstruction::cubic, "cubic"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(LightFrame,
                              {{LightFrame::camera, "camera"}, {LightFrame::patient, "patient"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(ViewKind, {{ViewKind::volume, "3d"},

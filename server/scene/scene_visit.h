@@ -36,10 +36,39 @@ void visit_fields(MaybeConst<Surface> auto& surface, const auto& visit) {
   visit("opacity", surface.opacity);
 }
 
+void visit_fields(MaybeConst<Normals> auto& normals, const auto& visit) {
+  visit("scale", normals.scale);
+  visit("scale_mm", normals.scale_mm);
+  visit("reconstruction", normals.reconstruction);
+}
+
+void visit_fields(MaybeConst<Occlusion> auto& occlusion, const auto& visit) {
+  visit("strength", occlusion.strength);
+  visit("range_mm", occlusion.range_mm);
+  visit("near_share", occlusion.near_share);
+  visit("colour", occlusion.colour);
+}
+
+void visit_fields(MaybeConst<Shadow> auto& shadow, const auto& visit) {
+  visit("strength", shadow.strength);
+  visit("softness_degrees", shadow.softness_degrees);
+}
+
 void visit_fields(MaybeConst<Branch> auto& branch, const auto& visit) {
   visit("surface", branch.surface);
   visit("shading", branch.shading);
+  visit("normals", branch.normals);
+  visit("occlusion", branch.occlusion);
+  visit("shadow", branch.shadow);
   visit("filters", branch.filters);
+}
+
+void visit_fields(MaybeConst<Wall> auto& wall, const auto& visit) {
+  visit("strength", wall.strength);
+  visit("colour", wall.colour);
+  visit("deepening", wall.deepening);
+  visit("edge_mm", wall.edge_mm);
+  visit("edge_colour", wall.edge_colour);
 }
 
 void visit_fields(MaybeConst<Lens> auto& lens, const auto& visit) {
@@ -47,7 +76,10 @@ void visit_fields(MaybeConst<Lens> auto& lens, const auto& visit) {
   visit("shape", lens.shape);
   visit("centre_mm", lens.centre_mm);
   visit("radius_mm", lens.radius_mm);
+  visit("opening", lens.opening);
+  visit("funnel_degrees", lens.funnel_degrees);
   visit("cap", lens.cap);
+  visit("wall", lens.wall);
   visit("strength", lens.strength);
   visit("softness", lens.softness);
   visit("strict", lens.strict);

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "scene/embedded.h"
 #include "scene/json_text.h"
+#include "scene/relative_lengths.h"
 #include "scene/schema_node.h"
 #include "scene/schema_violation.h"
 
@@ -91,6 +92,7 @@ void fill_object(const Json& node, Json& value) {
   if (!node.contains("properties")) return;
   for (const auto& [key, field] : node.at("properties").items()) {
     const auto found = value.find(key);
+    if (value.contains(per_mille_name(key))) continue;  // the same length in another unit
     Json content = found != value.end() ? std::move(*found) : field.value("default", Json());
     if (content.is_null() && field.value("type", Json()) == "object") content = Json::object();
     if (content.is_null()) continue;

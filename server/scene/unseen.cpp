@@ -42,6 +42,7 @@ std::optional<UnseenReason> reason_for_lens(const Scene& scene, const VolumeFact
     case SightOfFocus::some:
       return std::nullopt;
     case SightOfFocus::covered:
+      if (scene.lens.opening == LensOpening::funnel) return std::nullopt;
       return UnseenReason{.code = UnseenCode::lens_covered};
     case SightOfFocus::empty:
       return UnseenReason{.code = UnseenCode::lens_empty};

@@ -29,6 +29,7 @@ RenderSettings settings_for(const FrameRequest& request, PixelLayout layout) {
           .resolution_scale = scale,
           .supersampling = request.quality.supersampling,
           .step_voxels = request.quality.step_voxels,
+          .light = request.quality.light == LightDetail::full ? kFullLight : kQuickLight,
           .layout = layout};
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/check.h"
@@ -14,6 +15,12 @@ namespace {
 // Numbers wrap around, so "not after" is a matter of the shorter way round.
 bool at_or_before(std::uint32_t a, std::uint32_t b) {
   return static_cast<std::int32_t>(a - b) <= 0;
+}
+
+bool draws_light(const Scene& scene) {
+  return std::ranges::any_of(std::array{&scene.context, &scene.focus}, [](const Branch* branch) {
+    return branch->occlusion.strength > 0.0 || branch->shadow.strength > 0.0;
+  });
 }
 
 Error not_awaited(std::uint32_t frame, const std::string& awaited) {
@@ -42,7 +49,7 @@ FrameFlow::~FrameFlow() { wiring_.source.release(wiring_.view.view); }
 void FrameFlow::show(SceneSnapshot snapshot) {
   if (newest_.scene && newest_.scene->volume != snapshot.scene->volume) quality_.forget_rays();
   newest_ = std::move(snapshot);
-  pacer_.changed(strand_->now());
+  pacer_.changed(strand_->now(), has_finish(*newest_.scene));
   pump();
 }
 
@@ -107,6 +114,7 @@ void FrameFlow::pump() {
 // How many rays a still may have is known once the first frame is back, and as views are drawn one
 // frame at a time, it would wait for that anyway.
 bool FrameFlow::is_early(FrameKind kind) const {
+  if (kind == FrameKind::finished) return !asked_.empty();  // it would replace the still
   return kind == FrameKind::still && wiring_.kind == ViewKind::volume && !asked_.empty() &&
          !quality_.knows_rays();
 }
@@ -127,14 +135,26 @@ bool FrameFlow::ask(FrameKind kind) {
   return true;
 }
 
+// A device that computes light in no time has it in the still already.
+bool FrameFlow::has_finish(const Scene& scene) const {
+  return wiring_.kind == ViewKind::volume && draws_light(scene) &&
+         wiring_.source.describe().software;
+}
+
+FrameQuality FrameFlow::quality_of(FrameKind kind) const {
+  if (kind == FrameKind::interactive) return quality_.interactive();
+  FrameQuality quality = quality_.still(newest_.scene->viewport);
+  if (kind == FrameKind::still && has_finish(*newest_.scene)) quality.light = LightDetail::quick;
+  return quality;
+}
+
 FrameRequest FrameFlow::request(FrameKind kind) const {
   return {.view = wiring_.view.view,
           .share = wiring_.view.share,
           .session = wiring_.view.session,
           .revision = newest_.revision,
           .scene = newest_.scene,
-          .quality = kind == FrameKind::still ? quality_.still(newest_.scene->viewport)
-                                              : quality_.interactive()};
+          .quality = quality_of(kind)};
 }
 
 void FrameFlow::came_back(std::uint64_t id, FrameOutcome outcome) {

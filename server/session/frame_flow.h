@@ -73,6 +73,8 @@ class FrameFlow {
   bool is_early(FrameKind kind) const;
   bool renew(FrameKind kind);
   bool ask(FrameKind kind);
+  bool has_finish(const Scene& scene) const;
+  FrameQuality quality_of(FrameKind kind) const;
   FrameRequest request(FrameKind kind) const;
   void came_back(std::uint64_t id, FrameOutcome outcome);
   void send(const SceneSnapshot& shown, const Frame& frame);

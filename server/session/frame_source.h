@@ -15,11 +15,15 @@ namespace cutaway {
 
 enum class ChromaSampling { yuv420, yuv444 };
 
+/// How thoroughly light that is kept away is looked for, where the scene draws it.
+enum class LightDetail { quick, full };
+
 /// What a frame may cost. The viewport stays as it is in the scene: a smaller picture is scaled up
 /// by the client.
 struct FrameQuality {
   double resolution_scale = 1.0;  ///< 0.1..1 of the viewport, each way
   int supersampling = 1;          ///< 1 or 2 rays a pixel each way, averaged
+  LightDetail light = LightDetail::quick;
   double step_voxels = 1.0;       ///< ray step in units of the smallest spacing
   int jpeg_quality = 80;          ///< 1..100
   ChromaSampling chroma = ChromaSampling::yuv420;

@@ -12,30 +12,35 @@ TimePoint after(TimePoint time, Milliseconds span) {
 
 }  // namespace
 
-void Pacer::changed(TimePoint now) {
+void Pacer::changed(TimePoint now, bool has_finish) {
   change_due_ = true;
   still_due_ = true;
+  finish_due_ = has_finish;
   last_change_ = now;
 }
 
 void Pacer::asked(FrameKind kind, TimePoint now) {
   change_due_ = false;
-  if (kind == FrameKind::still) still_due_ = false;
+  if (kind != FrameKind::interactive) still_due_ = false;
+  if (kind == FrameKind::finished) finish_due_ = false;
   last_asked_ = now;
 }
 
 void Pacer::give_up() {
   change_due_ = false;
   still_due_ = false;
+  finish_due_ = false;
 }
 
 FrameKind Pacer::kind(TimePoint now) const {
-  return now >= still_due() ? FrameKind::still : FrameKind::interactive;
+  if (now < still_due()) return FrameKind::interactive;
+  return still_due_ || change_due_ || !finish_due_ ? FrameKind::still : FrameKind::finished;
 }
 
 std::optional<FrameKind> Pacer::due(TimePoint now) const {
   if (still_due_ && now >= still_due()) return FrameKind::still;
   if (change_due_ && now >= interactive_due()) return FrameKind::interactive;
+  if (finish_due_ && now >= still_due()) return FrameKind::finished;
   return std::nullopt;
 }
 

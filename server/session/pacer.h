@@ -7,17 +7,18 @@
 
 namespace cutaway {
 
-enum class FrameKind { interactive, still };
+/// `finished`: the still once more, with what takes longer.
+enum class FrameKind { interactive, still, finished };
 
 /// Remembers what has changed and what has been shown. A change is due as an interactive frame,
 /// `interval` after the one before; once `rest` has passed without a change, one still frame is
-/// due; then nothing is.
+/// due, and after it a finished one where that is wanted; then nothing is.
 class Pacer {
  public:
   explicit Pacer(Milliseconds rest) : rest_(rest) {}
 
-  /// The scene is another one now.
-  void changed(TimePoint now);
+  /// The scene is another one now; whether a still leaves something of it to finish.
+  void changed(TimePoint now, bool has_finish = false);
   /// A frame of this kind with the newest scene has been asked for.
   void asked(FrameKind kind, TimePoint now);
   /// The newest scene cannot be rendered: nothing is due until it changes.
@@ -41,6 +42,7 @@ class Pacer {
   Milliseconds interval_{0.0};
   bool change_due_ = false;
   bool still_due_ = false;
+  bool finish_due_ = false;
   TimePoint last_change_;
   std::optional<TimePoint> last_asked_;
 };

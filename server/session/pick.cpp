@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "scene/lenses/funnel.h"
 #include "scene/lenses/lens_body.h"
 #include "scene/slice_geometry.h"
 
@@ -76,10 +77,14 @@ std::optional<PickHit> pick_under_magic_lens(const Scene& scene, const OpenVolum
 std::optional<PickHit> pick(const Scene& scene, const OpenVolume& volume, glm::dvec2 position_px) {
   const ViewRay ray = ray_through(scene.camera, scene.viewport, position_px);
   const std::optional<Stretch> lens = inside_lens(scene.lens, ray);
-  if (!lens) return first_hit(scene, volume, ray, Stretch{});
+  const auto funnel = funnel_of(scene.lens, scene.camera);
+  const double opened = funnel ? funnel->exit_mm(ray) : 0.0;
+  if (!lens)
+    return first_hit(scene, volume, ray, {.begin = opened, .begins_at_lens = opened > 0.0});
   if (scene.lens.mode == LensMode::magic) return pick_under_magic_lens(scene, volume, ray);
-  const std::array stretches = {Stretch{0.0, lens->begin, PictureBranch::context, false}, *lens,
-                                Stretch{lens->end, kEndless, PictureBranch::context, true}};
+  const std::array stretches = {
+      Stretch{opened, lens->begin, PictureBranch::context, opened > 0.0}, *lens,
+      Stretch{std::max(lens->end, opened), kEndless, PictureBranch::context, true}};
   for (const Stretch& stretch : stretches) {
     if (stretch.begin >= stretch.end) continue;
     if (const auto hit = first_hit(scene, volume, ray, stretch)) return hit;

@@ -32,6 +32,7 @@ FrameQuality still_quality(const SessionSettings& settings, Viewport viewport) {
     --quality.supersampling;
   quality.jpeg_quality = settings.still_jpeg_quality;
   quality.chroma = ChromaSampling::yuv444;
+  quality.light = LightDetail::full;
   quality.still = true;
   return quality;
 }

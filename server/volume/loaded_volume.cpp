@@ -18,7 +18,7 @@ int brick_size(glm::ivec3 size_voxels) {
 }
 
 constexpr int kHistogramBins = 1024;
-constexpr double kMinMaxShare = 0.8;  ///< of the stage's progress; the histogram is the rest
+constexpr double kMinMaxShare = 0.6;  ///< of the stage's progress; pyramid and histogram are the rest
 
 }  // namespace
 
@@ -33,6 +33,7 @@ std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume,
   loaded->volume = std::move(volume);
   loaded->min_max = build_min_max_grid(
       loaded->volume, brick_size(loaded->volume.geometry.size_voxels), share, stop);
+  loaded->pyramid = build_pyramid(loaded->volume, stop);
   loaded->histogram = build_histogram(loaded->volume, kHistogramBins);
   throw_if_cancelled(stop);
   loaded->surfaces = suggest_surfaces(loaded->volume.description, loaded->histogram);

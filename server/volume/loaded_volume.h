@@ -5,6 +5,7 @@
 
 #include "volume/histogram.h"
 #include "volume/min_max_grid.h"
+#include "volume/pyramid.h"
 
 namespace cutaway {
 
@@ -12,6 +13,7 @@ namespace cutaway {
 struct LoadedVolume {
   Volume volume;
   MinMaxGrid min_max;
+  std::vector<CoarseLevel> pyramid;
   Histogram histogram;
   SuggestedSurfaces surfaces;
   BoundingBox material_bounds_mm;  ///< patient space: what reaches the outer iso-value, to a brick

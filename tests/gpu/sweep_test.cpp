@@ -104,7 +104,22 @@ std::vector<Json> extremes_of(const Json& parameter) {
 
 /// Where it takes another parameter for this one to be read at all.
 Json premise_of(const std::string& parameter) {
-  return parameter == "depth_step_mm" ? Json{{"source", "depth"}} : Json::object();
+  if (parameter == "depth_step_mm") return {{"source", "depth"}};
+  if (parameter.starts_with("softness")) return {{"detail", 0}};
+  if (parameter.starts_with("step_")) return {{"step", 0.5}};
+  return Json::object();
+}
+
+/// A module's parameters, each length in both of its units.
+std::vector<Json> parameters_of(const Json& module) {
+  std::vector<Json> parameters;
+  for (const Json& parameter : module.at("parameters")) {
+    parameters.push_back(parameter);
+    if (!parameter.contains("relative")) continue;
+    parameters.push_back(parameter.at("relative"));
+    parameters.back()["type"] = "number";
+  }
+  return parameters;
 }
 
 /// One pixel of the head at this size lies where the field is nearly flat: rounding turns its
@@ -120,7 +135,7 @@ Tolerance tolerance_at_extremes(const Scene& scene) {
 /// effect. `place` puts a module into a document.
 void sweep_parameters(const char* kind, const std::function<Json(Json module)>& place) {
   for (const Json& module : describe_modules().at(kind)) {
-    for (const Json& parameter : module.at("parameters")) {
+    for (const Json& parameter : parameters_of(module)) {
       const std::string name = parameter.at("name");
       Json usual = premise_of(name);
       usual["name"] = module.at("name");

@@ -6,6 +6,7 @@
 #include "render/filters/filter_pass.h"
 #include "render/shaders.h"
 #include "render/view_buffers.h"
+#include "scene/schema.h"
 #include "support/gpu_harness.h"
 
 namespace cutaway::test {
@@ -57,10 +58,11 @@ BranchImage filtered_on_gpu(const BranchImage& input, const Module& filter) {
   glTextureSubImage2D(surface.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, surfaces.data());
   const FilterKey key{.filter = filter};
   const gl::PixelRect whole{{0, 0}, size};
-  const FilterSums sums = filter_sums(size, FilterPass::reach_px(key));
-  for (int step = FilterPass::first_step(key); step < FilterPass::steps(filter); ++step)
-    pass.run(key, step, {colour, silhouette, surface, true}, {target, sums},
-             FilterPass::region_of_step(key, step, whole), triangle);
+  const FilterPlan plan = FilterPass::plan(key);
+  const FilterWork work(FilterPass::work_needs(plan), size);
+  for (const FilterStep& step : plan.steps)
+    pass.run(key, step, {colour, silhouette, surface, true}, {target, work},
+             FilterPass::region_of_step(step, whole, size), triangle);
   std::vector<glm::vec4> result(input.pixels.size());
   glGetTextureImage(output.name(), 0, GL_RGBA, GL_FLOAT,
                     static_cast<GLsizei>(result.size() * sizeof(glm::vec4)), result.data());
@@ -70,6 +72,13 @@ BranchImage filtered_on_gpu(const BranchImage& input, const Module& filter) {
     image.pixels[i].coverage = result[i].a;
   }
   return image;
+}
+
+Module filter_module(const char* name, const Json& parameters) {
+  Json module = {{"name", name}};
+  module.update(parameters);
+  Json scene = {{"context", {{"filters", Json::array({std::move(module)})}}}};
+  return filter(with_defaults(std::move(scene), "scene").at("context").at("filters").at(0));
 }
 
 Module kuwahara(int radius) { return filter({{"name", "kuwahara"}, {"radius", radius}}); }
@@ -121,6 +130,7 @@ BranchImage random_picture(unsigned seed, glm::ivec2 size) {
         glm::normalize(glm::dvec3(level(random), level(random), level(random)) - 0.4),
         300.0 + 40.0 * level(random),
         level(random) < 0.3 ? 1.0 : 0.0};
+    pixel.nearest_mm = pixel.depth_mm;
   }
   return image;
 }

@@ -10,6 +10,8 @@ namespace cutaway::test {
 
 reference::BranchImage filtered_on_gpu(const reference::BranchImage& input, const Module& filter);
 
+/// A filter by its name, with its defaults where `parameters` says nothing.
+Module filter_module(const char* name, const Json& parameters = Json::object());
 Module kuwahara(int radius);
 Module sobel(double strength, const char* mode, const char* norm = "raw",
              const char* gradient = "l1", const char* source = "colour", bool silhouettes = true);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "support/reference_brightness.h"
+
 namespace cutaway::reference {
 
 namespace {
@@ -136,11 +138,31 @@ BranchImage sobel(const BranchImage& input, const Sobel& parameters) {
 BranchImage apply_filter(const BranchImage& input, const Module& filter, double resolution_scale) {
   const Json& parameters = filter.parameters;
   if (filter.name == "kuwahara") {
-    const int radius = parameters.at("radius").get<int>();
+    const auto radius = parameters.at("radius").get<double>();
     return radius == 0
                ? input
                : kuwahara(input,
                           std::max(1, static_cast<int>(std::lround(radius * resolution_scale))));
+  }
+  const auto number = [&](const char* name) { return parameters.at(name).get<double>(); };
+  if (filter.name == "anisotropic_kuwahara") {
+    return anisotropic_kuwahara(input, number("radius") * resolution_scale, number("anisotropy"),
+                                number("sharpness"));
+  }
+  const auto colour = [&](const char* name) {
+    const auto channels = parameters.at(name).get<std::vector<double>>();
+    return glm::dvec3(channels[0], channels[1], channels[2]);
+  };
+  if (draws_from_brightness(filter))
+    return apply_brightness_filter(input, filter, resolution_scale);
+  if (filter.name == "depth_lines") {
+    return depth_lines(input, {.strength = number("strength"),
+                               .width_px = number("width") * resolution_scale,
+                               .ink = colour("colour"),
+                               .thinnest = number("thinnest"),
+                               .gap_mm = number("gap_mm"),
+                               .full_gap_mm = number("full_gap_mm"),
+                               .silhouettes = parameters.at("silhouettes").get<bool>()});
   }
   if (filter.name == "sobel") {
     return sobel(input, {.strength = parameters.at("strength").get<double>(),

@@ -15,6 +15,7 @@ struct BranchPixel {
   glm::dvec3 normal{0.0};
   double depth_mm = 0.0;
   double behind_lens = 0.0;  ///< share of them
+  double nearest_mm = 0.0;   ///< depth of the nearest of them
 };
 
 /// Rows top first.

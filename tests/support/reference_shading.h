@@ -14,4 +14,9 @@ double tone_position(double u, double detail);
 glm::dvec3 shade(const Module& shading, glm::dvec3 normal, glm::dvec3 to_light,
                  glm::dvec3 to_viewer);
 
+/// The same with a soft step of the tone shader, where it asks for one: `across` and `down` are how
+/// the normal changes to the next ray, `rays_a_pixel` is of the viewport's pixels.
+glm::dvec3 shade_turning(const Module& shading, glm::dvec3 normal, glm::dvec3 to_light,
+                         glm::dvec3 across, glm::dvec3 down, double rays_a_pixel);
+
 }  // namespace cutaway::reference

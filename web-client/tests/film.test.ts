@@ -104,7 +104,7 @@ describe('a turntable', () => {
       lens: { radius_mm: 1 },
     });
     const made = mergePatch(changed, patch) as Scene;
-    expect(made.focus).toEqual(scene.focus);
+    expect(made.focus).toMatchObject(scene.focus as object);
     expect(made.lens).toEqual(scene.lens);
     expect(patch).not.toHaveProperty('volume');
   });

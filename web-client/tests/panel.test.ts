@@ -50,6 +50,31 @@ describe('a place for a module', () => {
     expect(detail?.toPatch(0.25)).toEqual({ focus: { shading: { detail: 0.25 } } });
   });
 
+  it('shows a length in the unit in which the scene says it', () => {
+    const relative = {
+      name: 'width_per_mille',
+      minimum: 0,
+      maximum: 20,
+      step: 0.1,
+      unit: 'per mille of the height',
+    };
+    const width = { name: 'width', title: 'Width', description: '', default: 2 };
+    const lined: (typeof shading)[number] = {
+      name: 'lined',
+      title: 'Lined',
+      description: '',
+      parameters: [{ ...width, type: 'integer', unit: 'px', level: 'basic', relative }],
+    };
+    const shown = (module: object) =>
+      moduleModel('Shading', ['focus', 'shading'], [lined], {
+        focus: { shading: { name: 'lined', ...module } },
+      } as unknown as Scene).controls.basic[0];
+    expect(shown({ width: 3 })).toMatchObject({ value: 3, unit: 'px', label: 'Width' });
+    const said = shown({ width_per_mille: 4.5 });
+    expect(said).toMatchObject({ value: 4.5, maximum: 20, step: 0.1, label: 'Width' });
+    expect(said?.toPatch(5)).toEqual({ focus: { shading: { width_per_mille: 5 } } });
+  });
+
   it('shows a switch for a boolean', () => {
     const phong = moduleModel('Shading', ['focus', 'shading'], shading, {
       focus: { shading: { name: 'phong' } },
@@ -105,7 +130,12 @@ describe('the list of filters', () => {
 describe('the scene’s own controls', () => {
   it('take choices from the schema', () => {
     const control = sceneChoiceControl('lens.cap', 'Cut surfaces', scene);
-    expect(control.choices.map(({ value }) => value)).toEqual(['flat', 'gradient', 'open']);
+    expect(control.choices.map(({ value }) => value)).toEqual([
+      'flat',
+      'gradient',
+      'open',
+      'section',
+    ]);
     expect(control.toPatch('open')).toEqual({ lens: { cap: 'open' } });
   });
 

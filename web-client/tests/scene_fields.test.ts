@@ -36,6 +36,9 @@ describe('what the schema says of the scene’s fields', () => {
       focus: {
         surface: { iso_value: null, upper_value: null, opacity: null },
         shading: null,
+        normals: { scale: null, scale_mm: null, reconstruction: null },
+        occlusion: { strength: null, range_mm: null, near_share: null, colour: null },
+        shadow: { strength: null, softness_degrees: null },
         filters: null,
       },
     });

@@ -14,7 +14,7 @@ namespace cutaway {
 struct FilterKey {
   std::uint64_t input_version = 0;  ///< of the shading or of the filter before
   std::uint64_t shade_version = 0;  ///< of the surface and the silhouette coverage
-  Module filter;
+  Module filter;                    ///< with its lengths in pixels
   double resolution_scale = 1.0;
   bool operator==(const FilterKey&) const = default;
 };
@@ -30,31 +30,27 @@ struct FilterInput {
 /// Where it draws.
 struct FilterTarget {
   const gl::Framebuffer& picture;
-  const FilterSums& sums;  ///< large enough for the filter's reach
+  const FilterWork& work;  ///< with at least what the filter needs
 };
 
 class FilterPass {
  public:
   explicit FilterPass(const gl::ShaderLibrary& shaders);
 
-  /// The steps to draw, from `first_step` on (nothing to sum where nothing is reached), and what
-  /// each draws where its picture's `region` is asked for.
-  static int steps(const Module& filter);
-  static int first_step(const FilterKey& key) {
-    return reach_px(key) == 0 ? steps(key.filter) - 1 : 0;
-  }
-  static int reach_px(const FilterKey& key);
-  /// Of a pixel, in units of a simple pass' pixel.
-  static int cost_of_step(const FilterKey& key, int step);
-  static gl::PixelRect region_of_step(const FilterKey& key, int step, const gl::PixelRect& region);
+  static FilterPlan plan(const FilterKey& key);
+  static WorkNeeds work_needs(const FilterPlan& plan);
+  /// What a step draws where its picture's `region` is asked for.
+  static gl::PixelRect region_of_step(const FilterStep& step, const gl::PixelRect& region,
+                                      glm::ivec2 picture_size_px);
 
-  void run(const FilterKey& key, int step, const FilterInput& input, const FilterTarget& target,
-           const gl::PixelRect& strip, const gl::FullscreenTriangle& triangle) const;
+  void run(const FilterKey& key, const FilterStep& step, const FilterInput& input,
+           const FilterTarget& target, const gl::PixelRect& strip,
+           const gl::FullscreenTriangle& triangle) const;
 
  private:
   struct Entry {
     const ImageFilter* filter;
-    std::vector<gl::Program> steps;
+    std::vector<gl::Program> programs;
   };
   std::map<std::string, Entry, std::less<>> programs_;
 };

@@ -32,12 +32,10 @@ void set_parameters(const gl::Program& program, const Json& parameters, double) 
   program.set("euclidean", is_choice(parameters, "gradient", "l2") ? 1 : 0);
 }
 
-int reach_px(const Json&, double) { return 0; }
-
 constexpr std::array kShaders = {"sobel.frag"};
 
 }  // namespace
 
-extern const ImageFilter kSobelFilter{"sobel", kShaders, set_parameters, reach_px};
+extern const ImageFilter kSobelFilter{"sobel", kShaders, single_step, set_parameters};
 
 }  // namespace cutaway

@@ -13,10 +13,11 @@ uniform float pixel_size; // perspective: mm a pixel per mm of distance, orthogr
 #define LENS_MAGIC 2
 
 // A ray's way through the volume, and the lens' interval within it; where the ray meets no lens, both of its ends are the
-// volume's end.
+// volume's end. Up to the funnel's end there is no context.
 struct Course {
   vec2 volume_mm;
   vec2 lens_mm;
+  float funnel_end_mm;
 };
 
 // Parts of a course in the ray's order.
@@ -38,27 +39,34 @@ Stretch stretch_of(Course course, int part) {
   stretch.branch = part == IN_LENS ? FOCUS : CONTEXT;
   stretch.band = band_of(stretch.branch);
   stretch.begin_mm = part == BEFORE_LENS ? course.volume_mm.x : part == IN_LENS ? course.lens_mm.x : course.lens_mm.y;
+#if LENS_MODE == LENS_CUTAWAY
+  if (part != IN_LENS) stretch.begin_mm = max(stretch.begin_mm, course.funnel_end_mm);
+#endif
   stretch.end_mm = part == BEFORE_LENS ? course.lens_mm.x : part == IN_LENS ? course.lens_mm.y : course.volume_mm.y;
   stretch.starts_open = stretch.begin_mm > course.volume_mm.x ? open_caps : course.volume_mm.x == 0.0;
   return stretch;
 }
 
+// What the funnel opens to view above the lens' middle is skin as ever, unless it is cut.
 bool is_behind_lens(Course course, float distance_mm) {
-  return course.lens_mm.y > course.lens_mm.x && distance_mm >= course.lens_mm.y;
+  bool is_funnels_cut = course.funnel_end_mm > course.volume_mm.x && distance_mm <= course.funnel_end_mm;
+  return (course.lens_mm.y > course.lens_mm.x && distance_mm >= course.lens_mm.y) || is_funnels_cut;
 }
 
 bool is_empty(Stretch stretch) { return stretch.end_mm <= stretch.begin_mm; }
 
-Course outside_lens(vec2 volume_mm) { return Course(volume_mm, volume_mm.yy); }
-Course inside_lens(vec2 volume_mm) { return Course(volume_mm, volume_mm); }
+Course outside_lens(vec2 volume_mm) { return Course(volume_mm, volume_mm.yy, 0.0); }
+Course inside_lens(vec2 volume_mm) { return Course(volume_mm, volume_mm, 0.0); }
 
 Course course_of(Ray ray, vec2 volume_mm) {
 #if LENS_MODE == LENS_CUTAWAY
   vec2 lens_mm = lens_interval(ray.origin_mm, ray.direction);
   vec2 within = vec2(max(lens_mm.x, volume_mm.x), min(lens_mm.y, volume_mm.y));
-  if (within.y > within.x) return Course(volume_mm, within);
-#endif
+  if (within.y <= within.x) within = volume_mm.yy;
+  return Course(volume_mm, within, funnel_exit_mm(ray.origin_mm, ray.direction));
+#else
   return outside_lens(volume_mm);
+#endif
 }
 
 // The face of the volume's box through which the ray came in: tissue that the box cuts gets a flat face.
@@ -70,16 +78,17 @@ vec3 box_face(Ray ray, float distance_mm) {
 }
 
 // The face that the lens cuts into material at a distance along the ray, seen from the viewer's side.
-vec3 lens_face(Ray ray, float distance_mm) {
+vec3 lens_face(Ray ray, float distance_mm, bool is_funnel) {
   if (!flat_caps) return vec3(0.0);
-  vec3 normal = lens_normal(ray.origin_mm + distance_mm * ray.direction);
+  vec3 position_mm = ray.origin_mm + distance_mm * ray.direction;
+  vec3 normal = is_funnel ? funnel_normal(position_mm) : lens_normal(position_mm);
   return faceforward(normal, ray.direction, normal);
 }
 
 // Normal of the cut where a stretch starts in material; zero: the gradient's.
 vec3 face_at_begin(Ray ray, Course course, float begin_mm) {
 #if LENS_MODE == LENS_CUTAWAY
-  if (begin_mm > course.volume_mm.x) return lens_face(ray, begin_mm);
+  if (begin_mm > course.volume_mm.x) return lens_face(ray, begin_mm, begin_mm == course.funnel_end_mm);
 #endif
   return box_face(ray, begin_mm);
 }

@@ -27,11 +27,13 @@ vec3 toward_mm(vec2 at) { return pixel_rays.toward_mm + pixel_rays.shifts.y * ac
 
 vec3 from_in_volume(vec2 at) { return pixel_rays.from_in_volume + pixel_rays.shifts.x * across_in_volume(at); }
 
-Ray pixel_ray() {
-  vec2 at = in_picture(gl_FragCoord.xy);
+Ray ray_through(vec2 fragment) {
+  vec2 at = in_picture(fragment);
   vec3 toward = toward_mm(at);
   vec3 toward_in_volume = pixel_rays.toward_in_volume + pixel_rays.shifts.y * across_in_volume(at);
   float per_mm = inversesqrt(dot(toward, toward));
   return Ray(pixel_rays.from_mm + pixel_rays.shifts.x * across_mm(at), toward * per_mm, from_in_volume(at),
              away_from_zero(toward_in_volume * per_mm));
 }
+
+Ray pixel_ray() { return ray_through(gl_FragCoord.xy); }

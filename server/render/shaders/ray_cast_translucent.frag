@@ -9,6 +9,7 @@
 #include "empty_space.glsl"
 #include "bands.glsl"
 #include "lens.glsl"
+#include "funnel.glsl"
 #include "lens_cut.glsl"
 #include "surface_search.glsl"
 #include "translucent_band.glsl"
@@ -91,7 +92,7 @@ void cast_cutaway(Ray ray, vec2 volume_mm, inout Layers context, inout Layers fo
   bool meets_context = context.surface.w >= 0.0;
   if (focus.surface.w < 0.0) focus.surface.w = focus_reason(ray, course, reaches_lens, meets_context);
   bool is_taken = focus.surface.w >= 0.0 || is_context_in_lens(ray, course, !meets_context);
-  if (is_behind_lens(course, context.surface.w)) context.surface.xyz *= BEHIND_LENS_LENGTH;
+  if (is_behind_lens(course, context.surface.w)) context.surface.xyz *= 1.0 + BEHIND_LENS_LENGTH;
   if (!meets_context && is_taken) context.surface.w = REASON_OTHER_BRANCH;
 }
 

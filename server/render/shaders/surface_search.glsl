@@ -18,6 +18,7 @@ struct Hit {
   int branch;
   float distance_mm;  // NO_HIT where there is no surface
   vec3 normal;
+  bool is_cut;  // a face of the lens or of the volume's box
 };
 
 // Two neighbouring samples; the surface is between them. Without a surface `far_mm` is NO_HIT.
@@ -131,7 +132,11 @@ Bracket bracket_surface(Ray ray, Course course, int part, int last) {
 
 // Whether the context is met only where the lens has taken it away: no outline of the anatomy either.
 bool is_context_in_lens(Ray ray, Course course, bool is_asked) {
-  Course lens = outside_lens(is_asked ? course.lens_mm : vec2(0.0));
+  bool is_opened = course.funnel_end_mm > course.volume_mm.x;
+  bool crosses_lens = course.lens_mm.y > course.lens_mm.x;
+  vec2 removed_mm = is_opened ? vec2(course.volume_mm.x, max(crosses_lens ? course.lens_mm.y : 0.0, course.funnel_end_mm))
+                              : course.lens_mm;
+  Course lens = outside_lens(is_asked ? removed_mm : vec2(0.0));
   return bracket_surface(ray, lens, BEFORE_LENS, BEFORE_LENS).far_mm != NO_HIT;
 }
 
@@ -174,5 +179,5 @@ Hit search_surface(Ray ray, Course course, int first, int last) {
   bool is_hit = distance_mm != NO_HIT;
   vec3 face = bracket.is_cut ? face_at_begin(ray, course, distance_mm) : vec3(0.0);
   vec3 normal = normal_towards_viewer(position_along(ray, distance_mm), ray.direction, is_hit && face == vec3(0.0));
-  return Hit(bracket.branch, distance_mm, face == vec3(0.0) ? normal : face);
+  return Hit(bracket.branch, distance_mm, face == vec3(0.0) ? normal : face, face != vec3(0.0));
 }

@@ -11,9 +11,9 @@ struct Gooch {
 };
 uniform Gooch gooch[2];  // by branch
 
-vec3 shade_gooch(int branch, vec3 normal, vec3 to_viewer) {
+vec3 shade_gooch(int branch, vec3 normal, vec3 to_viewer, float light_share) {
   vec3 cool = vec3(0.0, 0.0, gooch[branch].blue) + gooch[branch].alpha * gooch[branch].colour;
   vec3 warm = vec3(gooch[branch].yellow, gooch[branch].yellow, 0.0) + gooch[branch].beta * gooch[branch].colour;
-  float towards_light = clamp(0.5 + 0.5 * dot(normal, light_direction), 0.0, 1.0);
+  float towards_light = clamp(0.5 + 0.5 * dot(normal, light_direction), 0.0, 1.0) * light_share;
   return clamp(mix(cool, warm, towards_light), 0.0, 1.0);
 }

@@ -23,8 +23,8 @@ float highlight(Phong phong, vec3 normal, vec3 to_viewer) {
   return size > 1e-6 ? pow(max(dot(normal, between / size), 0.0), 4.0 * phong.exponent) : 0.0;
 }
 
-vec3 shade_phong(int branch, vec3 normal, vec3 to_viewer) {
-  float lit = phong[branch].ambient + phong[branch].diffuse * max(dot(normal, light_direction), 0.0);
-  vec3 colour = phong[branch].colour * lit + phong[branch].specular * highlight(phong[branch], normal, to_viewer);
-  return clamp(colour, 0.0, 1.0);
+vec3 shade_phong(int branch, vec3 normal, vec3 to_viewer, float light_share) {
+  float lit = phong[branch].ambient + phong[branch].diffuse * light_share * max(dot(normal, light_direction), 0.0);
+  float shining = phong[branch].specular * light_share * highlight(phong[branch], normal, to_viewer);
+  return clamp(phong[branch].colour * lit + shining, 0.0, 1.0);
 }

@@ -9,9 +9,10 @@ namespace cutaway {
 extern const ShadingModel kToneShading;
 extern const ShadingModel kGoochShading;
 extern const ShadingModel kPhongShading;
+extern const ShadingModel kRampShading;
 
 std::span<const ShadingModel> shading_models() {
-  static const ShadingModel models[] = {kToneShading, kGoochShading, kPhongShading};
+  static const ShadingModel models[] = {kToneShading, kGoochShading, kPhongShading, kRampShading};
   return models;
 }
 
@@ -24,7 +25,13 @@ const ShadingModel& find_shading_model(std::string_view name) {
 
 std::map<std::string, std::string> shader_definitions(const ShadingModel& model) {
   return {{"SHADING_FILE", '"' + std::string(model.shader) + '"'},
-          {"SHADE", std::string("shade_") + model.name}};
+          {"SHADE", std::string("shade_") + model.name},
+          {"SHADE_TURNING", std::string("shade_") + model.name + "_turning"}};
+}
+
+bool reads_turning(const Module& module) {
+  const ShadingModel& model = find_shading_model(module.name);
+  return model.reads_turning != nullptr && model.reads_turning(module.parameters);
 }
 
 std::string shading_models_glsl() {
@@ -34,7 +41,7 @@ std::string shading_models_glsl() {
   for (const ShadingModel& model : shading_models()) {
     text += "#include \"" + std::string(model.shader) + "\"\n";
     cases += "    case " + std::to_string(number++) + ": return shade_" + model.name +
-             "(branch, normal, to_viewer);\n";
+             "(branch, normal, to_viewer, 1.0);\n";
   }
   return text + "uniform int shading_model[2];  // by branch\n" +
          "vec3 shade(int branch, vec3 normal, vec3 to_viewer) {\n" +

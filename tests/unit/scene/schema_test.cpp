@@ -30,7 +30,7 @@ TEST(Schema, ErrorsSayTheLimitWithItsUnitAndWhatCame) {
   const Error::Detail radius = refusal({{"lens", {{"radius_mm", 1e9}}}});
   EXPECT_EQ(radius.expected, "a number from 0 to 2000 mm");
   EXPECT_EQ(radius.received, "1000000000.0");
-  EXPECT_EQ(refusal({{"lens", {{"cap", "round"}}}}).expected, "one of flat, gradient, open");
+  EXPECT_EQ(refusal({{"lens", {{"cap", "round"}}}}).expected, "one of flat, gradient, open, section");
   EXPECT_EQ(refusal({{"camera", {{"up", {0, 1}}}}}).expected,
             "a list of 3 entries, each a number from -1000 to 1000");
   EXPECT_EQ(refusal({{"camera", {{"up", {0, 1}}}}}).received, "2 entries");
@@ -88,7 +88,7 @@ TEST(Modules, AreDescribedInTheSchemasOrder) {
   std::string order;
   for (const Json& parameter : modules.at("shading").at(0).at("parameters"))
     order += parameter.at("name").get<std::string>() + " ";
-  EXPECT_EQ(order, "detail dark light lambert terminator ");
+  EXPECT_EQ(order, "detail dark light lambert terminator softness ");
   EXPECT_EQ(modules.at("lens_shape").at(0).at("name"), "sphere");
 }
 
@@ -98,7 +98,9 @@ TEST(Modules, DescribeWhatAPanelNeeds) {
   EXPECT_FALSE(radius.at("description").empty());
   radius.erase("description");
   EXPECT_EQ(radius, Json::parse(R"({"name": "radius", "title": "Radius", "type": "integer",
-      "default": 2, "minimum": 0, "maximum": 15, "step": 1, "unit": "px", "level": "basic"})"));
+      "default": 2, "minimum": 0, "maximum": 15, "step": 1, "unit": "px", "level": "basic",
+      "relative": {"name": "radius_per_mille", "minimum": 0, "maximum": 20, "step": 0.1,
+                   "unit": "per mille of the height"}})"));
   const Json& tone = found(modules.at("shading"), "tone").at("parameters");
   EXPECT_EQ(found(tone, "dark").at("type"), "colour");
   EXPECT_EQ(found(tone, "lambert").at("type"), "choice");

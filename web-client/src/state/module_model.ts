@@ -20,14 +20,24 @@ export interface ControlLevels {
 
 export const NO_CONTROLS: ControlLevels = { ramp: undefined, basic: [], advanced: [] };
 
+/** A length in the unit in which the module says it: pixels, or relative to the picture's height. */
+function asSaid(parameter: ParameterDescription, module: JsonObject): ParameterDescription {
+  const { relative } = parameter;
+  return relative && relative.name in module
+    ? { ...parameter, ...relative, type: 'number' }
+    : parameter;
+}
+
 export function controlLevels(
   description: ModuleDescription,
   module: JsonObject,
   toPatch: (parameter: string, value: Json) => JsonObject,
   id: string,
 ): ControlLevels {
-  const controlOf = (parameter: ParameterDescription): Control =>
-    parameterControl(parameter, module, (value) => toPatch(parameter.name, value), id);
+  const controlOf = (described: ParameterDescription): Control => {
+    const parameter = asSaid(described, module);
+    return parameterControl(parameter, module, (value) => toPatch(parameter.name, value), id);
+  };
   const ramp = toneRamp((name) => {
     const parameter = description.parameters.find((one) => one.name === name);
     return parameter && controlOf(parameter);

@@ -37,7 +37,8 @@ export function matchingStyle(
 /** A module that says all of its parameters: what it leaves out goes back to its default. */
 function wholeModule(module: JsonObject, registry: readonly ModuleDescription[]): JsonObject {
   const parameters = registry.find(({ name }) => name === module['name'])?.parameters ?? [];
-  return { ...Object.fromEntries(parameters.map(({ name }) => [name, null])), ...module };
+  const names = parameters.flatMap(({ name, relative }) => [name, relative?.name ?? name]);
+  return { ...Object.fromEntries(names.map((name) => [name, null])), ...module };
 }
 
 /** The change that puts a style on, whatever was changed before. */

@@ -25,9 +25,16 @@ export const descriptions: Readonly<Record<DescribedField, string>> = {
     'Patientenraum, mm. Fehlt sie, liegt sie auf der Oberfläche des Kontexts in der Bildmitte oder ' +
     'so nah daran, wie etwas vom Fokus zu sehen ist.',
   'lens.radius_mm': 'Größe der Linse, mm; bei 0 bleibt der Kontext ganz.',
+  'lens.opening':
+    'Beim Ausschnitt: geschlossen nimmt den Kontext nur in der Linse weg, Trichter auch zwischen ' +
+    'Linse und Auge, sodass nichts vom Kontext den Fokus verdeckt.',
+  'lens.funnel_degrees':
+    'Wie weit sich die Seite des Trichters von seiner Achse neigt, in Grad; bei 0 ist er ein ' +
+    'Zylinder, dessen Wand niemand sieht.',
   'lens.cap':
     'Wie das Innere gezeichnet wird, wo die Linse eine Oberfläche aufschneidet: flach mit der ' +
-    'Normalen der Linse, nach dem Gradienten des Volumens, oder gar nicht.',
+    'Normalen der Linse, nach dem Gradienten des Volumens, gar nicht, oder als Schnitt in den ' +
+    'Farben der Gewebe.',
   'lens.strength':
     'Für die magische Linse: Anteil des Fokus in der Mitte; 0 zeigt nur den Kontext, 1 nur den ' +
     'Fokus.',

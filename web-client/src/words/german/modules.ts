@@ -1,6 +1,8 @@
 import type { ServedWords } from '../served.ts';
+import { filterParameters, filters } from './filters.ts';
 
 export const modules: ServedWords['modules'] = {
+  ...filters,
   'shading.tone': {
     title: 'Tonwert',
     description:
@@ -13,20 +15,16 @@ export const modules: ServedWords['modules'] = {
       'Das klassische Licht von warm nach kühl: Gelb zum Licht hin, Blau von ihm weg, je mit einem ' +
       'Anteil der eigenen Farbe der Oberfläche.',
   },
+  'shading.ramp': {
+    title: 'Verlauf',
+    description:
+      'Sechs Farben von der lichtabgewandten zur lichtzugewandten Seite, gemischt, wie das Auge sie ' +
+      'sieht: der Ton einer gemalten Tafel.',
+  },
   'shading.phong': {
     title: 'Phong',
     description:
       'Umgebungslicht, diffuses Licht und Glanz auf einer Farbe: die Kontrolle für Vergleiche.',
-  },
-  'filter.kuwahara': {
-    title: 'Kuwahara',
-    description:
-      'Glättet Textur und behält Kanten: jedes Pixel nimmt die mittlere Farbe des ruhigsten der ' +
-      'vier Fenster um es herum.',
-  },
-  'filter.sobel': {
-    title: 'Sobel-Linien',
-    description: 'Zeichnet Linien, wo sich Farbe oder Deckung ändern.',
   },
   'lens_shape.sphere': {
     title: 'Kugel',
@@ -53,6 +51,7 @@ export const modules: ServedWords['modules'] = {
 };
 
 export const parameters: ServedWords['parameters'] = {
+  ...filterParameters,
   'shading.tone.detail': {
     title: 'Detail',
     description: '0 zeichnet zwei flache Töne mit einer Stufe am Terminator, 1 den ganzen Verlauf.',
@@ -77,6 +76,12 @@ export const parameters: ServedWords['parameters'] = {
       'Das n·l, bei dem die Mitte des Verlaufs liegt; bei 0 wendet sich die Oberfläche vom Licht ab. ' +
       'Nur beim halben Lambert.',
   },
+  'shading.tone.softness': {
+    title: 'Weichheit der Stufe',
+    description:
+      'Breite der Stufe zwischen den beiden Tönen auf einer undurchsichtigen Oberfläche: bei 0 bleibt ' +
+      'sie hart, sonst ist sie mindestens ein Pixel des Bildes breit, sodass ihre Treppen verschwinden.',
+  },
   'shading.gooch.colour': {
     title: 'Farbe',
     description: 'Der Oberfläche selbst. Anzeigekodiertes sRGB.',
@@ -90,6 +95,32 @@ export const parameters: ServedWords['parameters'] = {
   'shading.gooch.beta': {
     title: 'Farbe im warmen Ton (beta)',
     description: 'Anteil der Farbe der Oberfläche im warmen Ton.',
+  },
+  'shading.ramp.deepest': { title: 'Tiefste Farbe', description: 'Am weitesten vom Licht weg.' },
+  'shading.ramp.deep': { title: 'Tiefe Farbe', description: 'Anzeigecodiertes sRGB.' },
+  'shading.ramp.middle': { title: 'Mittlere Farbe', description: 'Anzeigecodiertes sRGB.' },
+  'shading.ramp.light': { title: 'Helle Farbe', description: 'Anzeigecodiertes sRGB.' },
+  'shading.ramp.lighter': { title: 'Hellere Farbe', description: 'Anzeigecodiertes sRGB.' },
+  'shading.ramp.lightest': { title: 'Hellste Farbe', description: 'Dem Licht zugewandt.' },
+  'shading.ramp.gamma': {
+    title: 'Gamma',
+    description:
+      'Exponent des Halb-Lambert-Terms (1 + n·l) / 2, der den Verlauf durchläuft: über 1 wird die ' +
+      'Mitte dunkler.',
+  },
+  'shading.ramp.step': {
+    title: 'Stufe',
+    description:
+      'Anteil einer weichen Stufe von der tiefsten zur hellsten Farbe; bei 0 wird der Verlauf ' +
+      'gleichmäßig durchlaufen.',
+  },
+  'shading.ramp.step_at': {
+    title: 'Ort der Stufe',
+    description: 'Wo auf dem Halb-Lambert-Term die Stufe ihre Mitte hat.',
+  },
+  'shading.ramp.step_width': {
+    title: 'Breite der Stufe',
+    description: 'Von ihrem Anfang bis zu ihrem Ende auf diesem Term.',
   },
   'shading.phong.model': {
     title: 'Glanzmodell',
@@ -108,49 +139,6 @@ export const parameters: ServedWords['parameters'] = {
   'shading.phong.diffuse': { title: 'Diffus', description: 'Anteil der Farbe, der n·l folgt.' },
   'shading.phong.specular': { title: 'Glanz', description: 'Helligkeit des weißen Glanzlichts.' },
   'shading.phong.exponent': { title: 'Exponent', description: 'Schärfe des Glanzlichts.' },
-  'filter.kuwahara.radius': {
-    title: 'Radius',
-    description:
-      'Reichweite der Fenster; 0 ändert nichts. Das ganze Fenster ist 2 Radius + 1 Pixel breit.',
-  },
-  'filter.sobel.strength': {
-    title: 'Stärke',
-    description:
-      'Deckkraft der Linien; 0 ändert nichts, 1 zeichnet die stärksten Kanten ganz schwarz oder weiß.',
-  },
-  'filter.sobel.mode': {
-    title: 'Modus',
-    description:
-      'Aufhellen addiert die Kanten, Abdunkeln zieht sie ab, Multiplizieren dunkelt um die Helligkeit ' +
-      'der Kante ab und behält den Farbton.',
-  },
-  'filter.sobel.source': {
-    title: 'Kanten von',
-    description:
-      'Wovon Linien gezeichnet werden: Farbe (jeder Kanal für sich), Helligkeit, Tiefe (Abstand vom ' +
-      'Auge) oder Normale (Richtung der Oberfläche).',
-  },
-  'filter.sobel.silhouettes': {
-    title: 'Umrisse',
-    description:
-      'Ob auch der eigene Umriss gezeichnet wird; der Rand, den eine Linse schneidet, nie.',
-  },
-  'filter.sobel.depth_step_mm': {
-    title: 'Tiefenstufe',
-    description: 'Für Kanten der Tiefe: der Unterschied, der als eine Stufe zählt.',
-  },
-  'filter.sobel.norm': {
-    title: 'Normierung',
-    description:
-      'Roh behält den Maßstab des Kerns, in dem eine Stufe von einem Viertel schon eine volle Kante ' +
-      'ist; Einheit teilt durch vier, sodass es eine Stufe von eins ist.',
-  },
-  'filter.sobel.gradient': {
-    title: 'Länge des Gradienten',
-    description:
-      'L1 summiert die Beträge beider Richtungen; L2 zieht die Wurzel ihrer Quadratsumme, sodass ' +
-      'schräge Linien so viel wiegen wie gerade.',
-  },
   'lens_shape.ellipsoid.width': {
     title: 'Breite',
     description: 'Ihre halbe Breite, in Radien der Linse.',

@@ -15,6 +15,9 @@ export const served: ServedWords = {
     magic: 'Magisch',
     flat: 'Flach',
     gradient: 'Nach dem Gradienten',
+    section: 'Anatomischer Schnitt',
+    closed: 'Geschlossen',
+    funnel: 'Trichter zum Auge',
     open: 'Offen',
     camera: 'Kamera',
     patient: 'Patient',
@@ -30,7 +33,7 @@ export const served: ServedWords = {
     raw: 'Roh',
     unit: 'Einheit',
   },
-  units: { 'per mm': 'je mm' },
+  units: { 'per mm': 'je mm', 'per mille of the height': '‰ der Höhe' },
   volumes: {
     'phantom:head': 'Kopfphantom',
     'phantom:abdomen': 'Bauchphantom',

@@ -1,0 +1,123 @@
+#include "render/normal_taps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace cutaway {
+
+namespace {
+
+/// In voxels of the plane, for the context: calm enough that 3 mm CT has no grain.
+constexpr double kCalmVoxels = 2.5;
+/// In the largest spacing, against terraces; and no more than the coarsest copy can serve.
+constexpr double kCalmSlices = 1.5;
+constexpr double kWidestVoxels = 12.0;
+constexpr double kFocusShare = 0.5;
+
+/// Along an axis the Gaussian is at least so many voxels wide, or its samples would not form one.
+constexpr double kLeastVoxels = 0.8;
+
+/// A copy serves a Gaussian from so many of its texels on.
+constexpr double kLeastTexels = 0.6;
+
+/// Directions in a shell around the point, one of each pair, and its radius in standard deviations.
+struct Shell {
+  std::vector<glm::dvec3> directions;
+  double radius;
+};
+
+std::vector<Shell> coarse_shells() {
+  Shell shell{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 1.73};
+  for (const double y : {-1.0, 1.0})
+    for (const double z : {-1.0, 1.0})
+      shell.directions.push_back(glm::dvec3(1.0, y, z) / std::numbers::sqrt3);
+  return {shell};
+}
+
+/// The corners of an icosahedron within those of a dodecahedron.
+std::vector<Shell> fine_shells() {
+  constexpr double kGolden = std::numbers::phi;
+  Shell inner{{}, 1.08};
+  Shell outer{{}, 1.8};
+  for (const double sign : {-1.0, 1.0}) {
+    const glm::dvec3 corner = glm::normalize(glm::dvec3(0.0, 1.0, sign * kGolden));
+    const glm::dvec3 face = glm::normalize(glm::dvec3(0.0, 1.0 / kGolden, sign * kGolden));
+    for (int turn = 0; turn < 3; ++turn) {
+      const auto turned = [turn](glm::dvec3 v) {
+        return glm::dvec3(v[(3 - turn) % 3], v[(4 - turn) % 3], v[(5 - turn) % 3]);
+      };
+      inner.directions.push_back(turned(corner));
+      outer.directions.push_back(turned(face));
+    }
+    for (const double z : {-1.0, 1.0})
+      outer.directions.push_back(glm::dvec3(1.0, sign, z) / std::numbers::sqrt3);
+  }
+  return {inner, outer};
+}
+
+/// Of what a texel and the interpolation between texels smooth already, voxels squared.
+double own_variance(int factor) { return (factor * factor - 1) / 12.0 + factor * factor / 6.0; }
+
+/// Standard deviations along the axes that are left for the taps, voxels.
+glm::dvec3 left_for_taps(double scale_mm, const VolumeGeometry& geometry, glm::ivec3 factor) {
+  glm::dvec3 left;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double wanted = std::max(scale_mm / geometry.spacing_mm[axis], kLeastVoxels);
+    const double half_texel = std::max(0.5 * factor[axis], 0.5);
+    left[axis] = std::sqrt(
+        std::max(wanted * wanted - own_variance(factor[axis]), 0.09 * half_texel * half_texel));
+  }
+  return left;
+}
+
+std::size_t level_for(double scale_mm, const VolumeGeometry& geometry,
+                      const std::vector<glm::ivec3>& factors) {
+  std::size_t level = 0;
+  for (std::size_t next = 1; next < factors.size(); ++next) {
+    const glm::dvec3 texel_mm = glm::dvec3(factors[next]) * geometry.spacing_mm;
+    if (scale_mm >= kLeastTexels * std::max({texel_mm.x, texel_mm.y, texel_mm.z})) level = next;
+  }
+  return level;
+}
+
+/// A shell's share of the gradient, by the Gaussian's weight of its radius.
+double weight_of(const Shell& shell) {
+  const double squared = shell.radius * shell.radius;
+  return squared * std::exp(-squared / 2.0) * static_cast<double>(shell.directions.size()) / 3.0;
+}
+
+}  // namespace
+
+double normal_scale_mm(const Normals& normals, bool is_focus, const VolumeGeometry& geometry) {
+  if (normals.scale == NormalScale::fixed) return normals.scale_mm;
+  const glm::dvec3 spacing_mm = geometry.spacing_mm;
+  const double calm_mm =
+      std::max(kCalmVoxels * std::max(spacing_mm.x, spacing_mm.y),
+               kCalmSlices * std::max({spacing_mm.x, spacing_mm.y, spacing_mm.z}));
+  return std::min(is_focus ? kFocusShare * calm_mm : calm_mm,
+                  kWidestVoxels * smallest_spacing_mm(geometry));
+}
+
+NormalTaps normal_taps(double scale_mm, const VolumeGeometry& geometry,
+                       const std::vector<glm::ivec3>& factors) {
+  NormalTaps taps{.level = level_for(scale_mm, geometry, factors), .pairs = {}};
+  const bool is_fine = taps.level == 0;
+  const glm::ivec3 factor = factors.at(taps.level);
+  const glm::dvec3 left = left_for_taps(scale_mm, geometry, factor);
+  const std::vector<Shell> shells = is_fine ? fine_shells() : coarse_shells();
+  double all = 0.0;
+  for (const Shell& shell : shells) all += weight_of(shell);
+  for (const Shell& shell : shells) {
+    const double share = shell.radius * shell.radius * std::exp(-shell.radius * shell.radius / 2.0);
+    const glm::dvec3 least = is_fine ? glm::dvec3(0.0) : 0.6 * glm::dvec3(factor);
+    const glm::dvec3 reach = glm::max(shell.radius * left, least);
+    for (const glm::dvec3& direction : shell.directions)
+      taps.pairs.push_back(
+          {reach * direction,
+           geometry.direction_patient * (share / all * direction / (reach * geometry.spacing_mm))});
+  }
+  return taps;
+}
+
+}  // namespace cutaway
