@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -84,9 +85,14 @@ class Attributes {
   posix_spawnattr_t attributes_{};
 };
 
+/// Never above what binds this process, which it may have no right to lift.
 void set_limit(pid_t pid, __rlimit_resource resource, rlim_t value, rlim_t hard_excess = 0) {
-  const rlimit limit{value, value + hard_excess};
-  prlimit(pid, resource, &limit, nullptr);
+  constexpr const char* kUnset = "a reader's limits cannot be set";
+  rlimit inherited{};
+  checked(prlimit(pid, resource, nullptr, &inherited), kUnset);
+  const rlim_t hard = std::min(value + hard_excess, inherited.rlim_max);
+  const rlimit limit{std::min(value, hard), hard};
+  checked(prlimit(pid, resource, &limit, nullptr), kUnset);
 }
 
 void apply_limits(pid_t pid, const ChildLimits& limits) {
@@ -94,6 +100,8 @@ void apply_limits(pid_t pid, const ChildLimits& limits) {
 #ifndef __SANITIZE_ADDRESS__  // whose shadow memory takes terabytes of address space
   if (limits.address_space_bytes > 0) set_limit(pid, RLIMIT_AS, limits.address_space_bytes);
 #endif
+  // Pages of a memory file that it only writes to are no part of its address space.
+  if (limits.file_bytes > 0) set_limit(pid, RLIMIT_FSIZE, limits.file_bytes);
   if (limits.processor_time.count() > 0) {
     // The soft limit sends SIGXCPU, which tells itself apart; the hard one SIGKILL.
     set_limit(pid, RLIMIT_CPU, static_cast<rlim_t>(limits.processor_time.count()), 5);
@@ -111,8 +119,10 @@ Descriptor make_memory_file(const char* name) {
   return Descriptor(checked(memfd_create(name, MFD_CLOEXEC), "no memory file can be made"));
 }
 
+// By way of the other constructor, so that what throws here leaves no child behind.
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const Descriptor& input,
-                           const Descriptor& output, const ChildLimits& limits) {
+                           const Descriptor& output, const ChildLimits& limits)
+    : ChildProcess() {
   std::array<int, 2> ends{};
   checked(pipe2(ends.data(), O_CLOEXEC), "no pipe can be made");
   reports_ = Descriptor(ends[0]);

@@ -36,9 +36,11 @@ class Descriptor {
 /// An anonymous file in memory, closed on exec. Throws Error where the system refuses.
 Descriptor make_memory_file(const char* name);
 
+/// Where this process itself is bound by less, so is the child.
 struct ChildLimits {
-  std::uint64_t address_space_bytes = 0;  ///< 0: none
-  std::chrono::seconds processor_time{0};
+  std::uint64_t address_space_bytes = 0;   ///< 0: none
+  std::uint64_t file_bytes = 0;            ///< of each file that it writes, `output` too; 0: none
+  std::chrono::seconds processor_time{0};  ///< 0: none
 };
 
 /// How it ended: by itself with a status, or by a signal.
@@ -69,6 +71,7 @@ class ChildProcess {
   void kill();
 
  private:
+  ChildProcess() = default;
   bool take_line(std::string& line);
 
   pid_t pid_ = -1;
