@@ -7,6 +7,7 @@
 #include <sys/eventfd.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -108,6 +109,24 @@ void apply_limits(pid_t pid, const ChildLimits& limits) {
   }
 }
 
+/// False where `patience` has passed, without a byte of it or its end. Throws Cancelled.
+bool await(const Descriptor& awaited, std::chrono::milliseconds patience,
+           const std::stop_token& stop) {
+  const Descriptor stopped(checked(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "no event can be made"));
+  const std::stop_callback wake(stop, [&stopped] { eventfd_write(stopped.get(), 1); });
+  std::array<pollfd, 2> waiting{{{awaited.get(), POLLIN, 0}, {stopped.get(), POLLIN, 0}}};
+  int ready = 0;
+  do {
+    ready = poll(waiting.data(), waiting.size(), static_cast<int>(patience.count()));
+  } while (ready < 0 && errno == EINTR);
+  throw_if_cancelled(stop);
+  return checked(ready, "a reader cannot be waited for") > 0;
+}
+
+/// Becomes readable with the end of the process. By number: the C library's header of it is not
+/// made for C++ everywhere.
+int process_descriptor(pid_t pid) { return static_cast<int>(syscall(SYS_pidfd_open, pid, 0)); }
+
 }  // namespace
 
 void Descriptor::reset() {
@@ -157,13 +176,8 @@ ChildProcess::~ChildProcess() {
 
 ChildProcess::Heard ChildProcess::next_line(std::string& line, std::chrono::milliseconds patience,
                                             const std::stop_token& stop) {
-  const Descriptor stopped(checked(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "no event can be made"));
-  const std::stop_callback wake(stop, [&stopped] { eventfd_write(stopped.get(), 1); });
   while (!take_line(line)) {
-    std::array<pollfd, 2> waiting{{{reports_.get(), POLLIN, 0}, {stopped.get(), POLLIN, 0}}};
-    const int ready = poll(waiting.data(), waiting.size(), static_cast<int>(patience.count()));
-    throw_if_cancelled(stop);
-    if (ready == 0) return Heard::silence;
+    if (!await(reports_, patience, stop)) return Heard::silence;
     std::array<char, 65536> piece{};
     const ssize_t got = ::read(reports_.get(), piece.data(), piece.size());
     if (got == 0) return Heard::end;
@@ -187,6 +201,13 @@ bool ChildProcess::take_line(std::string& line) {
   line = buffer_.substr(taken_, end - taken_);
   taken_ = end + 1;
   return true;
+}
+
+std::optional<ChildEnd> ChildProcess::wait_for(std::chrono::milliseconds patience,
+                                               const std::stop_token& stop) {
+  const Descriptor process(checked(process_descriptor(pid_), "a reader cannot be waited for"));
+  if (!await(process, patience, stop)) return std::nullopt;
+  return wait();
 }
 
 ChildEnd ChildProcess::wait() {

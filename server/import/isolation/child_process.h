@@ -67,12 +67,14 @@ class ChildProcess {
   Heard next_line(std::string& line, std::chrono::milliseconds patience,
                   const std::stop_token& stop);
 
-  ChildEnd wait();
+  /// Waits for its end, or for `patience`. Throws Cancelled when stopped.
+  std::optional<ChildEnd> wait_for(std::chrono::milliseconds patience, const std::stop_token& stop);
   void kill();
 
  private:
   ChildProcess() = default;
   bool take_line(std::string& line);
+  ChildEnd wait();
 
   pid_t pid_ = -1;
   Descriptor reports_;

@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/log.h"
@@ -11,6 +12,9 @@
 namespace cutaway::reading {
 
 namespace {
+
+/// From the end of its reports, which is near its own where all is well.
+constexpr std::chrono::milliseconds kMostToEnd{5000};
 
 /// In a file of memory, which a child that does not read cannot block.
 Descriptor job_file(const Json& job) {
@@ -59,8 +63,12 @@ Outcome supervise(const IsolatedReader& isolation, const Json& job, const Memory
     on_report(report);
     outcome.answer = std::move(report);
   }
-  const ChildEnd end = child.wait();
-  if (end.signal != 0 || end.exit_status != 0) outcome.failure = failure_in_words(end, isolation);
+  const auto end = child.wait_for(std::min(isolation.silence, kMostToEnd), stop);
+  if (!end) {
+    outcome.failure = "its reader did not end after its last word";
+  } else if (end->signal != 0 || end->exit_status != 0) {
+    outcome.failure = failure_in_words(*end, isolation);
+  }
   return outcome;
 }
 

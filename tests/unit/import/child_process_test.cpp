@@ -16,6 +16,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/progress.h"
 
 namespace cutaway::reading {
 namespace {
@@ -67,6 +68,32 @@ TEST(ChildProcess, WhatATerminalSendsToItsForegroundDoesNotReachIt) {
   ASSERT_EQ(std::sscanf(statistics.c_str() + after_name, ") %*c %d %d", &parent, &group), 2);
   EXPECT_EQ(parent, getpid());
   EXPECT_EQ(group, std::stoi(statistics));
+}
+
+/// One that said all it has to say, and goes on.
+class Lingering : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string line;
+    ASSERT_EQ(child_.next_line(line, std::chrono::minutes(1), {}), ChildProcess::Heard::end);
+  }
+
+  Descriptor input_ = make_memory_file("input");
+  ChildProcess child_{{"/bin/sh", "-c", "exec 3>&-; exec sleep 600"}, input_, input_, {}};
+};
+
+TEST_F(Lingering, IsNotWaitedForBeyondPatience) {
+  EXPECT_FALSE(child_.wait_for(std::chrono::milliseconds(10), {}));
+  child_.kill();
+  const auto end = child_.wait_for(std::chrono::minutes(1), {});
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->signal, SIGKILL);
+}
+
+TEST_F(Lingering, IsNotWaitedForAfterAStop) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW(child_.wait_for(std::chrono::minutes(1), stop.get_token()), Cancelled);
 }
 
 /// From here on the system refuses this process to set limits.

@@ -101,7 +101,8 @@ TEST_P(IsolatedMishap, IsAnErrorInWordsAndNothingElse) {
   IsolatedReader isolation = worker(mode);
   // With a sanitizer the start alone takes a second.
   if (mode == "spin") isolation.processor_time = std::chrono::seconds(1);
-  if (mode == "progress-then-hang") isolation.silence = std::chrono::milliseconds(500);
+  if (mode == "progress-then-hang" || mode == "answer-then-linger")
+    isolation.silence = std::chrono::milliseconds(500);
   isolation.memory_bytes = std::uint64_t{1} << 30;
   const std::string message = failure(isolation, source);
   EXPECT_TRUE(message.starts_with("volume-refused")) << message;
@@ -111,6 +112,7 @@ TEST_P(IsolatedMishap, IsAnErrorInWordsAndNothingElse) {
 INSTANTIATE_TEST_SUITE_P(Modes, IsolatedMishap,
                          testing::Values(Mishap{"crash", "broke down, as it does at damaged files"},
                                          Mishap{"progress-then-hang", "said nothing for"},
+                                         Mishap{"answer-then-linger", "did not end"},
                                          Mishap{"spin", "processor time"},
                                          Mishap{"garbage", "answer is not usable"},
                                          Mishap{"null-range", "answer is not usable"},

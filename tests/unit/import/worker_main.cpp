@@ -87,6 +87,11 @@ int misbehave(std::string_view mode) {
     say(R"({"progress":["read",0.5]})");
     while (true) pause();
   }
+  if (mode == "answer-then-linger") {
+    say(head("2", "false"));
+    close(3);
+    while (true) pause();
+  }
   if (mode == "spin") {
     volatile bool endless = true;
     while (endless) {
