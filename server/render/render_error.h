@@ -1,0 +1,15 @@
+// A picture that could not be made, in words for the one who asked.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+
+#include "core/error.h"
+
+namespace cutaway {
+
+/// What the one who asked for a picture of `view` is told of an exception; the log has the rest.
+/// Any thread.
+Error render_error(const std::exception& failure, std::uint64_t view);
+
+}  // namespace cutaway
