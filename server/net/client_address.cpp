@@ -98,6 +98,7 @@ ClientAddress ClientAddresses::of_peer(const ip::address& peer) const {
 ClientAddress ClientAddresses::of_request(const ip::address& peer,
                                           std::string_view forwarded_for) const {
   ip::address client = plain(peer);
+  bool is_forwarded = false;
   while (proxies_.contains(client) && !forwarded_for.empty()) {
     const std::size_t comma = forwarded_for.rfind(',');
     const std::size_t begin = comma == std::string_view::npos ? 0 : comma + 1;
@@ -105,8 +106,10 @@ ClientAddress ClientAddresses::of_request(const ip::address& peer,
     if (!before) return counted(plain(peer), false);
     client = *before;
     forwarded_for = forwarded_for.substr(0, comma == std::string_view::npos ? 0 : comma);
+    is_forwarded = true;
   }
-  return of_peer(client);
+  // Whoever comes by a tunnel or writes the field himself may be a loopback address to a proxy.
+  return is_forwarded && client.is_loopback() ? counted(client, false) : of_peer(client);
 }
 
 }  // namespace cutaway

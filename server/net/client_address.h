@@ -43,7 +43,8 @@ class ClientAddresses {
   ClientAddress of_peer(const boost::asio::ip::address& peer) const;
   /// Of a request: behind trusted proxies the last address of `forwarded_for` (all fields' lists,
   /// in order) that is none of them. Where one of those read on the way is no address, the peer's
-  /// own, which is no longer exempt then.
+  /// own, which is no longer exempt then. Nor is a loopback address that was forwarded: it is no
+  /// more than a proxy's word for one.
   ClientAddress of_request(const boost::asio::ip::address& peer,
                            std::string_view forwarded_for) const;
   bool is_trusted(const boost::asio::ip::address& peer) const { return proxies_.contains(peer); }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <new>
 #include <utility>
 
 #include "core/log.h"
+#include "render/render_error.h"
 
 namespace cutaway {
 
@@ -18,20 +18,6 @@ constexpr std::size_t kKeptReadbackBytes = std::size_t{16} << 20;
 constexpr std::chrono::seconds kIdleViews{60};
 /// Of an upload between two frames.
 constexpr std::chrono::milliseconds kUploadTurn{10};
-
-Error no_memory() {
-  return Error({.code = ErrorCode::too_large,
-                .message = "there is not enough memory for a picture of this size",
-                .field = "/width_px"});
-}
-
-/// What the one who asked is told of an exception; the log has the rest.
-Error told(const std::exception& failure, const RenderRequest& request) {
-  if (const auto* error = dynamic_cast<const Error*>(&failure)) return *error;
-  if (dynamic_cast<const std::bad_alloc*>(&failure) != nullptr) return no_memory();
-  log().error("{}: view {} could not be drawn: {}", request.owner, request.view, failure.what());
-  return Error({.code = ErrorCode::render_failed, .message = "the picture could not be drawn"});
-}
 
 std::uint32_t microseconds(std::chrono::microseconds spent) {
   constexpr std::int64_t kLongest = std::numeric_limits<std::uint32_t>::max();
@@ -136,7 +122,7 @@ bool RenderWorker::begin(RenderJob job) {
     return true;
   } catch (const std::exception& failure) {
     views_.unpin(request.view);
-    conclude(*commission, told(failure, request));
+    conclude(*commission, render_error(failure, request.owner, request.view));
     return false;
   }
 }
@@ -162,7 +148,7 @@ void RenderWorker::step(Place drawing) {
     const bool goes_on = !commission.is_ended && ++drawing->part < commission.parts.count();
     if (goes_on) return plan_part(*drawing);
   } catch (const std::exception& failure) {
-    return end(drawing, told(failure, drawing->request()));
+    return end(drawing, render_error(failure, drawing->request().owner, drawing->view()));
   }
   views_.unpin(drawing->view());
   drawing_.erase(drawing);
@@ -249,7 +235,8 @@ void RenderWorker::deliver(Pending& pending) {
     commission.parts.take(pending.part, {drawn.layout, drawn.picture_size_px, std::move(planes)});
     if (commission.parts.is_whole()) conclude(commission, frame_of(commission));
   } catch (const std::exception& failure) {
-    conclude(commission, told(failure, commission.job.request));
+    conclude(commission,
+             render_error(failure, commission.job.request.owner, commission.job.view()));
   }
 }
 

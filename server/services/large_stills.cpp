@@ -1,10 +1,13 @@
 #include "services/large_stills.h"
 
 #include <algorithm>
+#include <exception>
 #include <future>
+#include <memory>
 #include <utility>
 
 #include "core/threads.h"
+#include "render/render_error.h"
 
 namespace cutaway {
 
@@ -18,7 +21,11 @@ std::int64_t pixels_of(const RenderRequest& request) {
 }  // namespace
 
 LargeStills::LargeStills(RenderThread& renderer)
-    : renderer_(renderer),
+    : LargeStills({.submit = [&renderer](RenderJob job) { renderer.submit(std::move(job)); },
+                   .release = [&renderer](std::uint64_t view) { renderer.release(view); }}) {}
+
+LargeStills::LargeStills(Renderer renderer)
+    : renderer_(std::move(renderer)),
       thread_(start_thread([this](const std::stop_token& stop) { serve(stop); })) {}
 
 LargeStills::~LargeStills() {
@@ -59,7 +66,7 @@ void LargeStills::give_up(std::uint64_t view) {
 }
 
 void LargeStills::serve(const std::stop_token& stop) {
-  while (const auto job = next(stop)) job->done(draw(job->request));
+  while (const auto job = next(stop)) job->done(drawn(job->request));
 }
 
 std::optional<LargeStills::Job> LargeStills::next(const std::stop_token& stop) {
@@ -85,11 +92,21 @@ LargeStills::Job LargeStills::take_next() {
   return job;
 }
 
+/// A failure is that still's own and ends neither the thread nor the others.
+RenderOutcome LargeStills::drawn(const RenderRequest& request) {
+  try {
+    return draw(request);
+  } catch (const std::exception& failure) {
+    return render_error(failure, request.owner, request.view);
+  }
+}
+
 RenderOutcome LargeStills::draw(const RenderRequest& request) {
-  std::promise<RenderOutcome> promise;
-  auto outcome = promise.get_future();
+  // Shared with the renderer, which may have it still where this ends early.
+  const auto promise = std::make_shared<std::promise<RenderOutcome>>();
+  auto outcome = promise->get_future();
   renderer_.submit(
-      {request, [&promise](RenderOutcome result) { promise.set_value(std::move(result)); }});
+      {request, [promise](RenderOutcome result) { promise->set_value(std::move(result)); }});
   {
     const std::lock_guard lock(mutex_);
     if (given_up_) renderer_.release(request.view);  // which came before the renderer had it

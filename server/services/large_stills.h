@@ -20,8 +20,15 @@ class LargeStills {
   /// with what ended it; or from the one that releases the view.
   using Done = std::function<void(RenderOutcome)>;
 
+  /// What is asked of a RenderThread, in its words.
+  struct Renderer {
+    std::function<void(RenderJob)> submit;
+    std::function<void(std::uint64_t view)> release;
+  };
+
   /// `renderer` outlives it.
   explicit LargeStills(RenderThread& renderer);
+  explicit LargeStills(Renderer renderer);
   /// Ends all as replaced.
   ~LargeStills();
   LargeStills(const LargeStills&) = delete;
@@ -42,9 +49,10 @@ class LargeStills {
   std::optional<Job> next(const std::stop_token& stop);
   Job take_next();
   RenderOutcome draw(const RenderRequest& request);
+  RenderOutcome drawn(const RenderRequest& request);
   void give_up(std::uint64_t view);
 
-  RenderThread& renderer_;
+  Renderer renderer_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::deque<Job> waiting_;

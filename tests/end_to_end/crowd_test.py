@@ -142,6 +142,7 @@ class CrowdTest(unittest.TestCase):
         began = time.monotonic()
         for _ in range(200):
             self.client(server, "127.0.0.1").text("error")
+        server.await_words("turned away")
         self.assertLessEqual(server.output().count("turned away"), time.monotonic() - began + 1)
 
     def test_two_users_at_once_see_their_own_scenes_and_outlive_a_restart(self):

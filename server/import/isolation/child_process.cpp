@@ -7,9 +7,11 @@
 #include <sys/eventfd.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -84,9 +86,14 @@ class Attributes {
   posix_spawnattr_t attributes_{};
 };
 
+/// Never above what binds this process, which it may have no right to lift.
 void set_limit(pid_t pid, __rlimit_resource resource, rlim_t value, rlim_t hard_excess = 0) {
-  const rlimit limit{value, value + hard_excess};
-  prlimit(pid, resource, &limit, nullptr);
+  constexpr const char* kUnset = "a reader's limits cannot be set";
+  rlimit inherited{};
+  checked(prlimit(pid, resource, nullptr, &inherited), kUnset);
+  const rlim_t hard = std::min(value + hard_excess, inherited.rlim_max);
+  const rlimit limit{std::min(value, hard), hard};
+  checked(prlimit(pid, resource, &limit, nullptr), kUnset);
 }
 
 void apply_limits(pid_t pid, const ChildLimits& limits) {
@@ -94,11 +101,31 @@ void apply_limits(pid_t pid, const ChildLimits& limits) {
 #ifndef __SANITIZE_ADDRESS__  // whose shadow memory takes terabytes of address space
   if (limits.address_space_bytes > 0) set_limit(pid, RLIMIT_AS, limits.address_space_bytes);
 #endif
+  // Pages of a memory file that it only writes to are no part of its address space.
+  if (limits.file_bytes > 0) set_limit(pid, RLIMIT_FSIZE, limits.file_bytes);
   if (limits.processor_time.count() > 0) {
     // The soft limit sends SIGXCPU, which tells itself apart; the hard one SIGKILL.
     set_limit(pid, RLIMIT_CPU, static_cast<rlim_t>(limits.processor_time.count()), 5);
   }
 }
+
+/// False where `patience` has passed, without a byte of it or its end. Throws Cancelled.
+bool await(const Descriptor& awaited, std::chrono::milliseconds patience,
+           const std::stop_token& stop) {
+  const Descriptor stopped(checked(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "no event can be made"));
+  const std::stop_callback wake(stop, [&stopped] { eventfd_write(stopped.get(), 1); });
+  std::array<pollfd, 2> waiting{{{awaited.get(), POLLIN, 0}, {stopped.get(), POLLIN, 0}}};
+  int ready = 0;
+  do {
+    ready = poll(waiting.data(), waiting.size(), static_cast<int>(patience.count()));
+  } while (ready < 0 && errno == EINTR);
+  throw_if_cancelled(stop);
+  return checked(ready, "a reader cannot be waited for") > 0;
+}
+
+/// Becomes readable with the end of the process. By number: the C library's header of it is not
+/// made for C++ everywhere.
+int process_descriptor(pid_t pid) { return static_cast<int>(syscall(SYS_pidfd_open, pid, 0)); }
 
 }  // namespace
 
@@ -111,8 +138,10 @@ Descriptor make_memory_file(const char* name) {
   return Descriptor(checked(memfd_create(name, MFD_CLOEXEC), "no memory file can be made"));
 }
 
+// By way of the other constructor, so that what throws here leaves no child behind.
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const Descriptor& input,
-                           const Descriptor& output, const ChildLimits& limits) {
+                           const Descriptor& output, const ChildLimits& limits)
+    : ChildProcess() {
   std::array<int, 2> ends{};
   checked(pipe2(ends.data(), O_CLOEXEC), "no pipe can be made");
   reports_ = Descriptor(ends[0]);
@@ -147,13 +176,8 @@ ChildProcess::~ChildProcess() {
 
 ChildProcess::Heard ChildProcess::next_line(std::string& line, std::chrono::milliseconds patience,
                                             const std::stop_token& stop) {
-  const Descriptor stopped(checked(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "no event can be made"));
-  const std::stop_callback wake(stop, [&stopped] { eventfd_write(stopped.get(), 1); });
   while (!take_line(line)) {
-    std::array<pollfd, 2> waiting{{{reports_.get(), POLLIN, 0}, {stopped.get(), POLLIN, 0}}};
-    const int ready = poll(waiting.data(), waiting.size(), static_cast<int>(patience.count()));
-    throw_if_cancelled(stop);
-    if (ready == 0) return Heard::silence;
+    if (!await(reports_, patience, stop)) return Heard::silence;
     std::array<char, 65536> piece{};
     const ssize_t got = ::read(reports_.get(), piece.data(), piece.size());
     if (got == 0) return Heard::end;
@@ -177,6 +201,13 @@ bool ChildProcess::take_line(std::string& line) {
   line = buffer_.substr(taken_, end - taken_);
   taken_ = end + 1;
   return true;
+}
+
+std::optional<ChildEnd> ChildProcess::wait_for(std::chrono::milliseconds patience,
+                                               const std::stop_token& stop) {
+  const Descriptor process(checked(process_descriptor(pid_), "a reader cannot be waited for"));
+  if (!await(process, patience, stop)) return std::nullopt;
+  return wait();
 }
 
 ChildEnd ChildProcess::wait() {

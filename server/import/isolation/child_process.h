@@ -36,9 +36,11 @@ class Descriptor {
 /// An anonymous file in memory, closed on exec. Throws Error where the system refuses.
 Descriptor make_memory_file(const char* name);
 
+/// Where this process itself is bound by less, so is the child.
 struct ChildLimits {
-  std::uint64_t address_space_bytes = 0;  ///< 0: none
-  std::chrono::seconds processor_time{0};
+  std::uint64_t address_space_bytes = 0;   ///< 0: none
+  std::uint64_t file_bytes = 0;            ///< of each file that it writes, `output` too; 0: none
+  std::chrono::seconds processor_time{0};  ///< 0: none
 };
 
 /// How it ended: by itself with a status, or by a signal.
@@ -65,11 +67,14 @@ class ChildProcess {
   Heard next_line(std::string& line, std::chrono::milliseconds patience,
                   const std::stop_token& stop);
 
-  ChildEnd wait();
+  /// Waits for its end, or for `patience`. Throws Cancelled when stopped.
+  std::optional<ChildEnd> wait_for(std::chrono::milliseconds patience, const std::stop_token& stop);
   void kill();
 
  private:
+  ChildProcess() = default;
   bool take_line(std::string& line);
+  ChildEnd wait();
 
   pid_t pid_ = -1;
   Descriptor reports_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "import/decode_memory.h"
 #include "import/isolation/supervision.h"
@@ -28,6 +29,15 @@ std::uint64_t memory_for(const VolumeSource& source, const ImportLimits& limits)
     if (!failed) bytes += 2 * file_bytes;
   }
   return bytes;
+}
+
+/// Beyond the limit by what a byte in the file may become, so that too many voxels are told apart
+/// from those without end.
+std::uint64_t voxel_bytes_for(const ImportLimits& limits) {
+  constexpr std::uint64_t kLargestVoxel = sizeof(float);
+  constexpr std::uint64_t kMargin = 4096;
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  return std::min(limits.volume_bytes, (kMost - kMargin) / kLargestVoxel) * kLargestVoxel + kMargin;
 }
 
 Volume take_volume(VolumeHead head, const Descriptor& file, const ImportLimits& limits) {
@@ -59,8 +69,9 @@ Volume read_volume_isolated(const IsolatedReader& isolation, const VolumeSource&
   return with_field(file, [&] {
     const Descriptor voxels = make_memory_file("cutaway-voxels");
     const Json job = {{"read", to_json(source)}, {"volume_bytes", limits.volume_bytes}};
-    const std::uint64_t memory =
-        isolation.memory_bytes > 0 ? isolation.memory_bytes : memory_for(source, limits);
+    const MemoryLimits memory{
+        isolation.memory_bytes > 0 ? isolation.memory_bytes : memory_for(source, limits),
+        voxel_bytes_for(limits)};
     const auto on_report = [&](const Json& report) {
       if (!progress || !report.contains("progress")) return;
       const auto [stage, fraction] = progress_from(report.at("progress"));

@@ -21,6 +21,9 @@ constexpr std::chrono::minutes kMostTimeLost{10};
 /// Names that a child reports: a limit only for one that was taken over.
 constexpr std::size_t kMostBytesOfNames = std::size_t{256} << 20;
 
+/// It has none to hand over.
+constexpr std::uint64_t kVoxelBytesOfScan = std::uint64_t{1} << 20;
+
 /// A scan that outlives its children. The first lists what there is. Where one breaks off at a
 /// file, others only open what none has opened yet, each from where the one before it ended; when
 /// they are through, a last one lists what did no harm. So a header is read twice at most, however
@@ -52,8 +55,9 @@ class IsolatedScan {
  private:
   Outcome run_child() {
     const Descriptor unused = make_memory_file("cutaway-scan");
-    const std::uint64_t memory =
-        isolation_.memory_bytes > 0 ? isolation_.memory_bytes : 4 * kBaseMemoryBytes;
+    const MemoryLimits memory{
+        isolation_.memory_bytes > 0 ? isolation_.memory_bytes : 4 * kBaseMemoryBytes,
+        kVoxelBytesOfScan};
     current_.clear();
     is_grouping_ = false;
     last_report_ = Clock::now();

@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/log.h"
@@ -11,6 +12,9 @@
 namespace cutaway::reading {
 
 namespace {
+
+/// From the end of its reports, which is near its own where all is well.
+constexpr std::chrono::milliseconds kMostToEnd{5000};
 
 /// In a file of memory, which a child that does not read cannot block.
 Descriptor job_file(const Json& job) {
@@ -29,6 +33,7 @@ std::string failure_in_words(const ChildEnd& end, const IsolatedReader& isolatio
     return fmt::format("reading it took more than {} s of processor time",
                        isolation.processor_time.count());
   }
+  if (end.signal == SIGXFSZ) return "its reader wrote more than it may";
   if (end.signal == SIGKILL) return "its reader was killed, perhaps for want of memory";
   if (end.signal != 0) return "its reader broke down, as it does at damaged files";
   return "its reader ended without an answer";
@@ -36,12 +41,13 @@ std::string failure_in_words(const ChildEnd& end, const IsolatedReader& isolatio
 
 }  // namespace
 
-Outcome supervise(const IsolatedReader& isolation, const Json& job, std::uint64_t memory_bytes,
+Outcome supervise(const IsolatedReader& isolation, const Json& job, const MemoryLimits& memory,
                   const Descriptor& voxels, const std::function<void(const Json&)>& on_report,
                   const std::stop_token& stop) {
   std::vector<std::string> command{isolation.executable.string()};
   command.insert(command.end(), isolation.arguments.begin(), isolation.arguments.end());
-  ChildProcess child(command, job_file(job), voxels, {memory_bytes, isolation.processor_time});
+  ChildProcess child(command, job_file(job), voxels,
+                     {memory.address_space_bytes, memory.voxel_bytes, isolation.processor_time});
   Outcome outcome;
   for (std::string line;;) {
     const auto heard = child.next_line(line, isolation.silence, stop);
@@ -57,8 +63,12 @@ Outcome supervise(const IsolatedReader& isolation, const Json& job, std::uint64_
     on_report(report);
     outcome.answer = std::move(report);
   }
-  const ChildEnd end = child.wait();
-  if (end.signal != 0 || end.exit_status != 0) outcome.failure = failure_in_words(end, isolation);
+  const auto end = child.wait_for(std::min(isolation.silence, kMostToEnd), stop);
+  if (!end) {
+    outcome.failure = "its reader did not end after its last word";
+  } else if (end->signal != 0 || end->exit_status != 0) {
+    outcome.failure = failure_in_words(*end, isolation);
+  }
   return outcome;
 }
 

@@ -20,8 +20,14 @@ struct Outcome {
   std::optional<std::string> failure;  ///< in words, where it did not end well
 };
 
+/// What one child may take of memory: within its address space, and outside of it by writing.
+struct MemoryLimits {
+  std::uint64_t address_space_bytes = 0;
+  std::uint64_t voxel_bytes = 0;
+};
+
 /// Listens to a child until it ends. `on_report` gets its reports but for errors, which are thrown.
-Outcome supervise(const IsolatedReader& isolation, const Json& job, std::uint64_t memory_bytes,
+Outcome supervise(const IsolatedReader& isolation, const Json& job, const MemoryLimits& memory,
                   const Descriptor& voxels, const std::function<void(const Json&)>& on_report,
                   const std::stop_token& stop);
 

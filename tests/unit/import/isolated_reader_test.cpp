@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 std::string failure(const IsolatedReader& isolation, const VolumeSource& source) {
   try {
-    read_volume_isolated(isolation, source, {}, {}, {});
+    read_volume_isolated(isolation, source, {.volume_bytes = 1 << 20}, {}, {});
   } catch (const Error& error) {
     EXPECT_EQ(error.detail().field, source.files.front().string());
     return std::string(code_word(error.detail().code)) + ": " + error.what();
@@ -97,11 +97,12 @@ class IsolatedMishap : public testing::TestWithParam<Mishap> {};
 TEST_P(IsolatedMishap, IsAnErrorInWordsAndNothingElse) {
   TemporaryFolder folder;
   const VolumeSource source = only_source(write_ramp_volume(folder), folder.path());
-  IsolatedReader isolation = worker(GetParam().mode);
+  const std::string mode = GetParam().mode;
+  IsolatedReader isolation = worker(mode);
   // With a sanitizer the start alone takes a second.
-  if (GetParam().mode == std::string("spin")) isolation.processor_time = std::chrono::seconds(1);
-  const bool hangs = GetParam().mode == std::string("progress-then-hang");
-  if (hangs) isolation.silence = std::chrono::milliseconds(500);
+  if (mode == "spin") isolation.processor_time = std::chrono::seconds(1);
+  if (mode == "progress-then-hang" || mode == "answer-then-linger")
+    isolation.silence = std::chrono::milliseconds(500);
   isolation.memory_bytes = std::uint64_t{1} << 30;
   const std::string message = failure(isolation, source);
   EXPECT_TRUE(message.starts_with("volume-refused")) << message;
@@ -111,12 +112,14 @@ TEST_P(IsolatedMishap, IsAnErrorInWordsAndNothingElse) {
 INSTANTIATE_TEST_SUITE_P(Modes, IsolatedMishap,
                          testing::Values(Mishap{"crash", "broke down, as it does at damaged files"},
                                          Mishap{"progress-then-hang", "said nothing for"},
+                                         Mishap{"answer-then-linger", "did not end"},
                                          Mishap{"spin", "processor time"},
                                          Mishap{"garbage", "answer is not usable"},
                                          Mishap{"null-range", "answer is not usable"},
                                          Mishap{"huge-grid", "another number of voxels"},
                                          Mishap{"too-few-voxels", "another number of voxels"},
                                          Mishap{"nan-voxels", "no numbers"},
+                                         Mishap{"write-without-end", "wrote more than"},
                                          Mishap{"exit-7", "ended without an answer"},
                                          Mishap{"silent-success", "answer is not usable"}),
                          [](const auto& test) {

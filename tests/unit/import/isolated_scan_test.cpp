@@ -157,6 +157,18 @@ TEST(IsolatedScan, ACrashWhileGroupingCostsTheSeriesOnly) {
   EXPECT_EQ(read_file(runs), "run\nrun\n");
 }
 
+/// A scan has no voxels to hand over.
+TEST(IsolatedScan, ItsReaderCannotFillTheMemoryWithVoxels) {
+  TemporaryFolder folder;
+  write_ramp_volume(folder);
+  try {
+    isolated_scan(folder, worker("write-without-end"));
+    FAIL() << "what it wrote was let be";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("wrote more than"), std::string::npos) << error.what();
+  }
+}
+
 /// A slice whose header alone is longer than what most tests leave of it.
 std::string slice_bytes(const TemporaryFolder& folder) {
   DicomSlice slice;

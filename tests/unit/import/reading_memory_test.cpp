@@ -1,19 +1,16 @@
 // What reading takes of memory, seen from outside: by the reader's process and by the one that
 // takes over what it has read.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <limits>
 
 #include "import/isolation/voxel_transfer.h"
 #include "unit/import/dicom_writer.h"
 #include "unit/import/isolated_test_support.h"
+#include "unit/import/own_process.h"
 #include "unit/import/picture_writer.h"
 
 namespace cutaway::test {
@@ -26,31 +23,13 @@ struct Peaks {
   std::int64_t taker = 0;
 };
 
-std::int64_t peak_bytes(int who) {
-  rusage usage{};
-  getrusage(who, &usage);
-  return std::int64_t{usage.ru_maxrss} * 1024;
-}
-
-/// In a process of its own, which has had no other child and held no other volume.
+/// Of a process that has had no other child and held no other volume.
 Peaks peaks_of_reading(const VolumeSource& source) {
-  std::array<int, 2> ends{};
-  EXPECT_EQ(pipe(ends.data()), 0);
-  const pid_t process = fork();
-  if (process == 0) {
+  return in_own_process([&] {
     const std::int64_t before = peak_bytes(RUSAGE_SELF);
     read_volume_isolated(worker(), source, {}, {}, {});
-    const Peaks peaks{peak_bytes(RUSAGE_CHILDREN), peak_bytes(RUSAGE_SELF) - before};
-    _exit(::write(ends[1], &peaks, sizeof(peaks)) == sizeof(peaks) ? 0 : 1);
-  }
-  close(ends[1]);
-  Peaks peaks;
-  EXPECT_EQ(::read(ends[0], &peaks, sizeof(peaks)), ssize_t{sizeof(peaks)});
-  close(ends[0]);
-  int status = 0;
-  waitpid(process, &status, 0);
-  EXPECT_EQ(status, 0);
-  return peaks;
+    return Peaks{peak_bytes(RUSAGE_CHILDREN), peak_bytes(RUSAGE_SELF) - before};
+  });
 }
 
 std::int64_t voxels_of(const VolumeSource& source) {

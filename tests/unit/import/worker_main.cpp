@@ -31,6 +31,16 @@ constexpr std::string_view kHead =
     R"("geometry":{"size":[2,2,SIZE],"spacing":[1,1,1],"origin":[0,0,0],"axes":[[1,0,0],[0,1,0],[0,0,1]]},)"
     R"("float":FLOAT,"scale":1,"offset":0,"range":[0,1]}})";
 
+/// More than any limit of the tests allows, but not so much that it fills the machine where none is
+/// kept.
+bool write_without_end() {
+  const std::vector<char> piece(std::size_t{1} << 20, 'x');
+  for (int i = 0; i < 256; ++i) {
+    if (write(4, piece.data(), piece.size()) < 0) return false;
+  }
+  return true;
+}
+
 std::string head(const char* size, const char* is_float) {
   std::string text(kHead);
   text.replace(text.find("SIZE"), 4, size);
@@ -77,6 +87,11 @@ int misbehave(std::string_view mode) {
     say(R"({"progress":["read",0.5]})");
     while (true) pause();
   }
+  if (mode == "answer-then-linger") {
+    say(head("2", "false"));
+    close(3);
+    while (true) pause();
+  }
   if (mode == "spin") {
     volatile bool endless = true;
     while (endless) {
@@ -98,6 +113,10 @@ int misbehave(std::string_view mode) {
     say(head("2", "true"));
     const std::vector<unsigned char> bytes(32, 0xFF);
     if (write(4, bytes.data(), bytes.size()) != 32) return 9;
+  }
+  if (mode == "write-without-end") {
+    say(head("2", "false"));
+    return write_without_end() ? 0 : 9;
   }
   if (mode == "exit-7") return 7;
   return 0;

@@ -51,6 +51,18 @@ TEST(ClientAddress, WhoIsNoProxySaysNothingAboutItself) {
   EXPECT_EQ(client.text, "203.0.113.7");
 }
 
+/// A proxy on this machine passes on what others wrote.
+TEST(ClientAddress, LoopbackByHearsayCounts) {
+  const ClientAddresses behind({"127.0.0.1", "10.0.0.0/8"}, false);
+  for (const char* said : {"127.0.0.2", "::1", "::ffff:127.0.0.2", "127.0.0.2, 10.0.0.2"}) {
+    const ClientAddress client = behind.of_request(make_address("127.0.0.1"), said);
+    EXPECT_FALSE(client.is_exempt) << said;
+    EXPECT_EQ(client.group, client.text == "::1" ? "::/64" : "127.0.0.2") << said;
+  }
+  EXPECT_FALSE(behind.of_request(make_address("127.0.0.1"), "127.0.0.1").is_exempt);
+  EXPECT_TRUE(behind.of_request(make_address("127.0.0.1"), "").is_exempt);
+}
+
 TEST(ClientAddress, WhatIsNoAddressIsTheProxysOwnAndCounts) {
   const ClientAddresses behind({"10.0.0.1"}, false);
   for (const char* nonsense : {"unknown", "1.2.3.4, _hidden", "1.2.3.4,", "999.1.1.1", "[::1"}) {
