@@ -68,8 +68,7 @@ void ShadePass::run(const ShadeKey& key, BranchIndex index, const GpuVolume& vol
   const UniformStruct uniforms(program, model.name, index);
   model.set_parameters(uniforms, key.lit.shading.parameters);
   if (reads_turning(key.lit.shading))
-    model.set_turning(uniforms, key.lit.shading.parameters,
-                      key.resolution_scale * supersampling);
+    model.set_turning(uniforms, key.lit.shading.parameters, key.resolution_scale * supersampling);
   if (key.relief) set_relief(program, *key.relief, branch);
   if (key.wall) set_wall(program, *key.wall, volume);
   branch.shade_target.bind(strip);

@@ -42,7 +42,8 @@ std::uint64_t VolumeCache::used_bytes() const {
 
 std::uint64_t memory_bytes(const LoadedVolume& loaded) {
   const auto& grid = loaded.min_max;
-  return byte_size(loaded.volume) + byte_size(loaded.pyramid) + ((grid.minimum.size() + grid.maximum.size()) * sizeof(float)) +
+  return byte_size(loaded.volume) + byte_size(loaded.pyramid) +
+         ((grid.minimum.size() + grid.maximum.size()) * sizeof(float)) +
          (loaded.histogram.counts.size() * sizeof(std::uint64_t));
 }
 

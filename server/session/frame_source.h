@@ -24,8 +24,8 @@ struct FrameQuality {
   double resolution_scale = 1.0;  ///< 0.1..1 of the viewport, each way
   int supersampling = 1;          ///< 1 or 2 rays a pixel each way, averaged
   LightDetail light = LightDetail::quick;
-  double step_voxels = 1.0;       ///< ray step in units of the smallest spacing
-  int jpeg_quality = 80;          ///< 1..100
+  double step_voxels = 1.0;  ///< ray step in units of the smallest spacing
+  int jpeg_quality = 80;     ///< 1..100
   ChromaSampling chroma = ChromaSampling::yuv420;
   bool still = false;  ///< the refined picture of a scene at rest
   bool operator==(const FrameQuality&) const = default;

@@ -18,7 +18,8 @@ int brick_size(glm::ivec3 size_voxels) {
 }
 
 constexpr int kHistogramBins = 1024;
-constexpr double kMinMaxShare = 0.6;  ///< of the stage's progress; pyramid and histogram are the rest
+constexpr double kMinMaxShare =
+    0.6;  ///< of the stage's progress; pyramid and histogram are the rest
 
 }  // namespace
 

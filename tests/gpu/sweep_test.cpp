@@ -126,6 +126,11 @@ std::vector<Json> parameters_of(const Json& module) {
 /// normal a little, and the steepest parameters make up to 4 levels of that.
 Tolerance tolerance_at_extremes(const Scene& scene) {
   Tolerance tolerance = tolerance_for(scene);
+  // A ramp is a table of 81 colours: on the way to a pure one the eye's steps bend more than that.
+  if (scene.context.shading.name == "ramp") {
+    tolerance.maximum = std::max(tolerance.maximum, 24);
+    tolerance.share_above_2 = std::max(tolerance.share_above_2, 0.01);
+  }
   tolerance.maximum = std::max(tolerance.maximum, 5);
   tolerance.share_above_2 = std::max(tolerance.share_above_2, 0.0005);
   return tolerance;

@@ -2,7 +2,7 @@
 // cool end, instead of towards black. The colours between are worked out in OKLab before, so that the ramp is even to the
 // eye. Source: B. Ottosson, "A perceptual color space for image processing", 2020.
 
-const int RAMP_COLOURS = 33;
+const int RAMP_COLOURS = 81;  // sixteen from one to the next
 
 struct Ramp {
   vec3 colours[RAMP_COLOURS];

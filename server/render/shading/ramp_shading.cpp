@@ -11,7 +11,7 @@ namespace cutaway {
 namespace {
 
 constexpr std::array kStops = {"deepest", "deep", "middle", "light", "lighter", "lightest"};
-constexpr int kColours = 33;  ///< RAMP_COLOURS of the shader
+constexpr int kColours = 81;  ///< RAMP_COLOURS of the shader; the six lie on them
 
 glm::dvec3 colour_at(const Json& parameters, double share) {
   const double at = share * (kStops.size() - 1);

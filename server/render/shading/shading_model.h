@@ -7,10 +7,10 @@
 namespace cutaway {
 
 /// One registry entry. `shader` is a GLSL file that defines `vec3 shade_NAME(int branch, vec3
-/// normal, vec3 to_viewer, float
-/// light_share)`, `light_share` being the share of the light that no shadow takes, over `light_direction` and over `uniform STRUCT NAME[2]`, its
-/// parameters by branch; `set_parameters` fills one of the two from the module's parameters
-/// (checked and complete, as their schema entry says; lengths in pixels).
+/// normal, vec3 to_viewer, float light_share)`, the last being what no shadow takes of the light,
+/// over `light_direction` and over `uniform STRUCT NAME[2]`, its parameters by branch;
+/// `set_parameters` fills one of the two from the module's parameters (checked and complete, as
+/// their schema entry says; lengths in pixels).
 ///
 /// A model that may want to know how the normal turns about a point has `reads_turning`, which says
 /// whether its parameters ask for that, `set_turning`, which sets what only that reads (pixels are

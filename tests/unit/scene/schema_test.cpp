@@ -30,7 +30,8 @@ TEST(Schema, ErrorsSayTheLimitWithItsUnitAndWhatCame) {
   const Error::Detail radius = refusal({{"lens", {{"radius_mm", 1e9}}}});
   EXPECT_EQ(radius.expected, "a number from 0 to 2000 mm");
   EXPECT_EQ(radius.received, "1000000000.0");
-  EXPECT_EQ(refusal({{"lens", {{"cap", "round"}}}}).expected, "one of flat, gradient, open, section");
+  EXPECT_EQ(refusal({{"lens", {{"cap", "round"}}}}).expected,
+            "one of flat, gradient, open, section");
   EXPECT_EQ(refusal({{"camera", {{"up", {0, 1}}}}}).expected,
             "a list of 3 entries, each a number from -1000 to 1000");
   EXPECT_EQ(refusal({{"camera", {{"up", {0, 1}}}}}).received, "2 entries");
