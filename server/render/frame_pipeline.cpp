@@ -189,6 +189,7 @@ std::uint64_t FramePipeline::reach_of_light(const Draft& draft, BranchIndex inde
   draft.buffers.prepare_reach(index);
   const BranchBuffers& buffers = draft.buffers.branches[index];
   std::vector<Pass> steps;
+  steps.reserve(LightPass::kSteps);
   for (int step = 0; step < LightPass::kSteps; ++step)
     steps.push_back({.name = "light",
                      .region = draft.regions.branches[index],

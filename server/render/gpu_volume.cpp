@@ -121,6 +121,7 @@ void GpuVolume::set_uniforms(const gl::Program& program, int unit) const {
 
 std::vector<glm::ivec3> GpuVolume::level_factors() const {
   std::vector<glm::ivec3> factors;
+  factors.reserve(levels_.size());
   for (const Level& level : levels_) factors.push_back(level.factor);
   return factors;
 }

@@ -52,6 +52,7 @@ const gl::Framebuffer& FilterWork::target(const std::vector<WorkTexture>& textur
   const auto made = targets_.find(textures);
   if (made != targets_.end()) return made->second;
   std::vector<const gl::Texture2D*> attachments;
+  attachments.reserve(textures.size());
   for (const WorkTexture& which : textures) attachments.push_back(&texture(which));
   return targets_.emplace(textures, gl::Framebuffer(attachments)).first->second;
 }
