@@ -14,7 +14,6 @@
 namespace cutaway {
 
 namespace http = boost::beast::http;
-namespace beast = boost::beast;
 
 namespace {
 

@@ -90,7 +90,8 @@ TEST(DepthLines, AreNotDrawnOnTheRingsOfSlices) {
 TEST(DepthLines, AreNotDrawnOnAFlightOfLikeStepsButOnEachOfASparseOne) {
   const auto ink_of = [](int apart, double last_mm) {
     const auto stairs = relief({80, 30}, [&](int x, int) {
-      return 300.0 + 3.0 * (std::min(x, 60) / apart) + (x > 64 ? last_mm : 0.0);
+      const int step = std::min(x, 60) / apart;
+      return 300.0 + 3.0 * step + (x > 64 ? last_mm : 0.0);
     });
     return ink_in_row(filtered_on_gpu(stairs, lines()), 12);
   };
