@@ -9,6 +9,7 @@
 
 #include "core/printable.h"
 #include "services/named_path.h"
+#include "volume/facts/findings.h"
 #include "volume/phantoms.h"
 
 namespace cutaway {
@@ -24,6 +25,7 @@ struct Facts {
   VolumeDescription description;
   VolumeGeometry geometry;
   ValueRange value_range;
+  Findings findings;
 };
 
 struct Report {
@@ -48,6 +50,27 @@ std::array<int, 3> extents(const Facts& facts) {
   return {size.x, size.y, size.z};
 }
 
+OrderedJson chosen_json(const ChosenValue& chosen) {
+  return {{"value", chosen.value}, {"from", chosen.from}};
+}
+
+OrderedJson first_look_json(const Findings& findings) {
+  OrderedJson json = {
+      {"kind", name_of(findings.kind)},
+      {"robust_range", std::array{findings.robust.range.minimum, findings.robust.range.maximum}},
+      {"padding", findings.robust.sentinels},
+      {"outer_iso_value", chosen_json(findings.outer)},
+      {"inner_iso_value", chosen_json(findings.inner)},
+      {"contrast_medium", findings.has_contrast},
+      {"extent_mm", plain(findings.shape.extent_mm)},
+      {"slab", findings.shape.is_slab()}};
+  if (findings.body) {
+    json["body_ml"] = findings.body->body_ml;
+    json["couch_ml"] = findings.body->removed_ml;
+  }
+  return json;
+}
+
 OrderedJson to_json(const Facts& facts) {
   const VolumeDescription& description = facts.description;
   return {{"id", description.id},
@@ -60,6 +83,7 @@ OrderedJson to_json(const Facts& facts) {
           {"direction_lps", row_major(facts.geometry.direction_patient)},
           {"value_range", std::array{facts.value_range.minimum, facts.value_range.maximum}},
           {"units", description.units},
+          {"first_look", first_look_json(facts.findings)},
           {"warnings", description.warnings}};
 }
 
@@ -70,6 +94,21 @@ void print_json(const Report& report, std::ostream& out) {
     document["refused"].push_back({{"path", path.string()}, {"reason", reason}});
   }
   out << document.dump(2, ' ', false, OrderedJson::error_handler_t::replace) << '\n';
+}
+
+void print_first_look(const Findings& findings, std::ostream& out) {
+  const ValueRange& range = findings.robust.range;
+  out << fmt::format("  kind       {}{}; {:.6g} to {:.6g} without strays and padding\n",
+                     name_of(findings.kind), findings.has_contrast ? ", contrast medium" : "",
+                     range.minimum, range.maximum)
+      << fmt::format("  context    from {:.6g}: {}\n", findings.outer.value, findings.outer.from)
+      << fmt::format("  focus      from {:.6g}: {}\n", findings.inner.value, findings.inner.from)
+      << fmt::format("  extent     {:.4g} mm{}\n",
+                     fmt::join(plain(findings.shape.extent_mm), " x "),
+                     findings.shape.is_slab() ? ", seen along the shortest" : "");
+  if (findings.body)
+    out << fmt::format("  body       {:.0f} ml; couch and the like {:.0f} ml\n",
+                       findings.body->body_ml, findings.body->removed_ml);
 }
 
 void print_lines(const Report& report, std::ostream& out) {
@@ -88,6 +127,7 @@ void print_lines(const Report& report, std::ostream& out) {
                        fmt::join(row_major(facts.geometry.direction_patient), " "))
         << fmt::format("  values     {:.6g} to {:.6g}{}\n", facts.value_range.minimum,
                        facts.value_range.maximum, unit);
+    print_first_look(facts.findings, out);
     for (const auto& warning : description.warnings)
       out << "  warning    " << printable(warning) << '\n';
   }
@@ -98,7 +138,8 @@ void print_lines(const Report& report, std::ostream& out) {
 }
 
 Facts facts_of(Volume volume) {
-  return {std::move(volume.description), volume.geometry, volume.value_range};
+  Findings findings = find_out(volume, {});
+  return {std::move(volume.description), volume.geometry, volume.value_range, std::move(findings)};
 }
 
 Report read_all(const Listing& listing, const InfoReaders& readers) {

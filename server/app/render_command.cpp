@@ -12,6 +12,7 @@
 #include "encode/png.h"
 #include "render/loaded_facts.h"
 #include "render/render_thread.h"
+#include "render/scene_preparation.h"
 #include "scene/resolve.h"
 #include "scene/unseen.h"
 #include "volume/phantoms.h"
@@ -24,6 +25,16 @@ constexpr double kStillStepVoxels = 0.5;
 
 std::string volume_of(const RenderCommand& command, const Json& document) {
   return command.volume ? *command.volume : document.value("volume", phantom_id({}));
+}
+
+using SharedVolume = std::shared_ptr<const LoadedVolume>;
+
+/// The volume as the scene wants it prepared; `made` went through `preparation` already.
+SharedVolume seen_volume(const SharedVolume& measured, const Scene& scene,
+                         const VolumePreparation& preparation, const SharedVolume& made) {
+  const VolumePreparation wanted = preparation_of(scene, *measured);
+  if (wanted == preparation) return made;
+  return wanted.is_nothing() ? measured : prepare(*measured, wanted, {});
 }
 
 Picture render_once(const RenderCommand& command, RenderRequest request) {
@@ -47,13 +58,15 @@ void run_render(const RenderCommand& command) {
   check_picture_size(size);
   check_writable(command.output_path);
   const auto volume = load_volume_argument(volume_of(command, document), terminal_progress());
-  const VolumeFacts facts = facts_of(volume);
+  const VolumePreparation first = preparation_of_first_look(*volume);
+  const auto first_seen = first.is_nothing() ? volume : prepare(*volume, first, {});
+  const VolumeFacts facts = facts_of(*volume, first_seen);
   const Scene scene = resolve_scene(document, facts, size);
   for (const UnseenReason& reason : reasons_for_nothing(scene, facts))
     std::cerr << "cutaway render: " << in_words(reason) << '\n';
   const Picture picture =
       render_once(command, {.owner = "cutaway render",
-                            .volume = volume,
+                            .volume = seen_volume(volume, scene, first, first_seen),
                             .scene = std::make_shared<const Scene>(scene),
                             .settings = {.picture_size_px = {size.width_px, size.height_px},
                                          .supersampling = command.supersampling,

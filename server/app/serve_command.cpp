@@ -110,7 +110,7 @@ void check_data(const std::vector<fs::path>& data) {
 Serving::Serving(const Config& config)
     : session_settings_(config.session), server_(config.net, hooks()) {
   frames_ = std::make_unique<FrameService>(
-      config.renderer, [this](const std::string& id) { return volumes_->loaded(id); });
+      config.renderer, [this](const Scene& scene) { return volumes_->seen_in(scene); });
   volumes_ = std::make_unique<VolumeService>(with_reader(config.volumes), frames_->upload_target());
   const RendererDescription renderer = frames_->describe();
   say_renderer(renderer);

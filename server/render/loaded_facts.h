@@ -8,7 +8,12 @@
 
 namespace cutaway {
 
-/// The facts hold the volume for as long as their ray probe lives.
-VolumeFacts facts_of(std::shared_ptr<const LoadedVolume> loaded);
+/// The probe holds the volume.
+SurfaceProbe probe_of(std::shared_ptr<const LoadedVolume> volume);
+
+/// `seen`: the volume as it is prepared for a first look, whose probe looks at it and holds it.
+VolumeFacts facts_of(const LoadedVolume& loaded, std::shared_ptr<const LoadedVolume> seen);
+/// The same of a volume that is seen as it was measured.
+VolumeFacts facts_of(const std::shared_ptr<const LoadedVolume>& loaded);
 
 }  // namespace cutaway

@@ -21,6 +21,7 @@ constexpr double kNoHit = std::numeric_limits<double>::infinity();
 /// of a lens on the belly: then the lens leaves the middle of the view, or is larger or deeper, at
 /// a price in what it fills.
 constexpr double kNearlyEmpty = 0.25;
+constexpr double kWorthwhile = 0.0;  // who keeps so much ends the search
 constexpr double kPriceOfTheEdge = 0.4;
 constexpr double kPriceOfDepth = 0.2;  // for a whole radius
 constexpr double kPriceOfSize = 0.2;   // for a whole radius more
@@ -30,6 +31,7 @@ struct ProbedRay {
   ViewRay ray;
   double context_mm = kNoHit;
   double focus_mm = kNoHit;
+  bool is_on_face = false;    ///< the context is met where the volume's box cuts it
   glm::ivec2 from_middle{0};  ///< in rays of the grid
 
   bool is_in_the_middle() const { return from_middle == glm::ivec2(0); }
@@ -49,6 +51,17 @@ double distance_to_surface_mm(const VolumeFacts& volume, const ViewRay& ray,
   return point ? glm::distance(ray.origin_mm, *point) : kNoHit;
 }
 
+bool is_on_face(const VolumeFacts& volume, glm::dvec3 point_mm) {
+  constexpr double kNear = 1e-4;
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::dvec3 half_mm = volume.grid_half_axes_mm[axis];
+    const double share =
+        std::abs(glm::dot(point_mm - volume.grid_centre_mm, half_mm)) / glm::dot(half_mm, half_mm);
+    if (share >= volume.outermost_share[axis] - kNear) return true;
+  }
+  return false;
+}
+
 ProbedRay probe(const VolumeFacts& volume, const LensPlacementView& view, glm::ivec2 from_middle) {
   const glm::dvec2 middle_px{0.5 * view.viewport.width_px, 0.5 * view.viewport.height_px};
   const double apart_px = std::min(middle_px.x, middle_px.y) / (kRaysToTheEdge + 0.5);
@@ -56,8 +69,10 @@ ProbedRay probe(const VolumeFacts& volume, const LensPlacementView& view, glm::i
   ProbedRay probed{.ray = ray_through(view.camera, view.viewport, position_px),
                    .from_middle = from_middle};
   probed.context_mm = distance_to_surface_mm(volume, probed.ray, view.context);
-  if (probed.context_mm != kNoHit)
-    probed.focus_mm = distance_to_surface_mm(volume, probed.ray, view.focus);
+  if (probed.context_mm == kNoHit) return probed;
+  // A slab is cut wherever it is looked at.
+  probed.is_on_face = !volume.slab && is_on_face(volume, probed.context_point_mm(0.0));
+  probed.focus_mm = distance_to_surface_mm(volume, probed.ray, view.focus);
   return probed;
 }
 
@@ -120,6 +135,7 @@ Choice choice_at(const ProbedRay& candidate, const Form& form, const std::vector
 struct Candidates {
   bool (ProbedRay::*are_these)() const;
   Forms forms;
+  bool on_faces = false;  ///< of the volume's box, which cuts the anatomy there
 };
 
 bool shows_more(const Choice& a, const Choice& b) {
@@ -134,7 +150,8 @@ std::optional<Choice> best_choice(const std::vector<ProbedRay>& rays, const Cand
                                   const Asked& asked) {
   std::optional<Choice> best;
   for (const ProbedRay& candidate : rays) {
-    if (candidate.context_mm == kNoHit || !(candidate.*candidates.are_these)()) continue;
+    if (candidate.context_mm == kNoHit || candidate.is_on_face != candidates.on_faces) continue;
+    if (!(candidate.*candidates.are_these)()) continue;
     for (const Form& form : candidates.forms) {
       const Choice choice = choice_at(candidate, form, rays, asked);
       if (!best || shows_more(choice, *best)) best = choice;
@@ -144,15 +161,17 @@ std::optional<Choice> best_choice(const std::vector<ProbedRay>& rays, const Cand
 }
 
 /// In the order in which they are tried.
-const std::array<Candidates, 5>& all_candidates() {
+const std::array<Candidates, 7>& all_candidates() {
   static const Forms on_the_surface{{}};
   static const Forms any{{}, {0.35, 1.0}, {0.7, 1.0}, {0.0, 1.4}, {0.35, 1.4}, {0.7, 1.4}};
-  static const std::array<Candidates, 5> candidates{
+  static const std::array<Candidates, 7> candidates{
       Candidates{&ProbedRay::is_in_the_middle, on_the_surface},
       Candidates{&ProbedRay::is_above_or_below_the_middle, on_the_surface},
       Candidates{&ProbedRay::is_above_or_below_the_middle, any},
       Candidates{&ProbedRay::is_anywhere, on_the_surface},
-      Candidates{&ProbedRay::is_anywhere, any}};
+      Candidates{&ProbedRay::is_anywhere, any},
+      Candidates{&ProbedRay::is_in_the_middle, on_the_surface, true},
+      Candidates{&ProbedRay::is_anywhere, any, true}};
   return candidates;
 }
 
@@ -168,7 +187,7 @@ std::optional<PlacedLens> placed_lens(const VolumeFacts& volume, const LensPlace
   for (const Candidates& candidates : all_candidates()) {
     const std::optional<Choice> choice = best_choice(rays, candidates, asked);
     if (choice && (!best || shows_more(*choice, *best))) best = choice;
-    if (best && best->share >= kNearlyEmpty) break;
+    if (best && best->share >= kNearlyEmpty && best->worth >= kWorthwhile) break;
   }
   if (!best) return std::nullopt;
   return best->lens;

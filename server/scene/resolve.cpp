@@ -1,6 +1,8 @@
 #include "scene/resolve.h"
 
 #include <algorithm>
+#include <string_view>
+#include <type_traits>
 
 #include "core/error.h"
 #include "scene/admitted.h"
@@ -10,6 +12,7 @@
 #include "scene/relative_lengths.h"
 #include "scene/resolve_slices.h"
 #include "scene/scene_json.h"
+#include "scene/scene_visit.h"
 #include "scene/schema.h"
 #include "scene/volume_choices.h"
 
@@ -39,7 +42,7 @@ void complete_camera(Camera& camera, const Json& said, const VolumeFacts& volume
   if (!said.contains("target_mm")) camera.target_mm = volume_centre_mm(volume);
   if (!said.contains("eye_mm"))
     camera.eye_mm = chosen_eye_mm(volume, viewport, camera.target_mm, camera.vertical_fov_degrees);
-  if (!said.contains("up")) camera.up = chosen_up(camera.target_mm - camera.eye_mm);
+  if (!said.contains("up")) camera.up = chosen_up(volume, camera.target_mm - camera.eye_mm);
   check_camera(camera);
 }
 
@@ -85,6 +88,20 @@ void complete_lens(Scene& scene, const Json& said, const VolumeFacts& volume, Le
   if (!has_centre) scene.lens.centre_mm = chosen.centre_mm;
 }
 
+/// A document that says which surface it shows, and nothing of a preparation, is of a time that
+/// knew none.
+void complete_preparation(Preparation& preparation, const Json& said, const VolumeFacts& volume) {
+  if (said.at("context").at("surface").contains("iso_value")) return;
+  const Json& fields = said.at("preparation");
+  Preparation chosen = volume.first_preparation;
+  visit_fields(chosen, [&](const char* name, const auto& value) {
+    visit_fields(preparation, [&](const char* open, auto& field) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::decay_t<decltype(field)>>)
+        if (std::string_view(name) == open && !fields.contains(name)) field = value;
+    });
+  });
+}
+
 void check_light(const Light& light) {
   if (glm::length(light.direction) < kSmallestLength)
     refuse_scene("/light/direction", "the light has no direction", "a direction",
@@ -114,6 +131,7 @@ Scene with_choices(const Json& document, const VolumeFacts& volume, Viewport vie
   if (!said.contains("volume")) scene.volume = volume.id;
   scene.viewport = viewport;
   complete_camera(scene.camera, said.at("camera"), volume, viewport);
+  complete_preparation(scene.preparation, said, volume);
   complete_branch(scene.focus, said.at("focus"), volume.inner_iso_value, "focus");
   complete_branch(scene.context, said.at("context"), volume.outer_iso_value, "context");
   check_light(scene.light);

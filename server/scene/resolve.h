@@ -31,7 +31,8 @@ Json without_volume_choices(Json document);
 
 /// What the document says; what it leaves out from the schema's defaults; what those leave out
 /// chosen for the volume: a camera that frames it from the front, the lens on the context surface
-/// in the middle of the view, iso-values. A viewport of 0x0 (not known yet) frames for a square.
+/// in the middle of the view, iso-values; where the context's is left out, what the volume goes
+/// through before it is drawn. A viewport of 0x0 (not known yet) frames for a square.
 /// The document's own "viewport" is ignored. Throws Error where the whole makes no sense (eye equal
 /// to target, up parallel to the view).
 Scene resolve_scene(const Json& document, const VolumeFacts& volume, Viewport viewport);

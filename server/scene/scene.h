@@ -76,6 +76,15 @@ struct Shadow {
   bool operator==(const Shadow&) const = default;
 };
 
+/// What the volume goes through before it is drawn.
+struct Preparation {
+  bool hide_couch = false;
+  bool fill_context = false;
+  double focus_islands_ml = 0.0;
+  double context_islands_ml = 0.0;
+  bool operator==(const Preparation&) const = default;
+};
+
 /// One of the two ways in which a point of the volume can be drawn.
 struct Branch {
   Surface surface;
@@ -164,6 +173,7 @@ struct Scene {
   std::string volume;
   Viewport viewport;
   Camera camera;
+  Preparation preparation;
   Branch focus;
   Branch context;
   Lens lens;

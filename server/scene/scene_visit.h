@@ -54,6 +54,13 @@ void visit_fields(MaybeConst<Shadow> auto& shadow, const auto& visit) {
   visit("softness_degrees", shadow.softness_degrees);
 }
 
+void visit_fields(MaybeConst<Preparation> auto& preparation, const auto& visit) {
+  visit("hide_couch", preparation.hide_couch);
+  visit("fill_context", preparation.fill_context);
+  visit("focus_islands_ml", preparation.focus_islands_ml);
+  visit("context_islands_ml", preparation.context_islands_ml);
+}
+
 void visit_fields(MaybeConst<Branch> auto& branch, const auto& visit) {
   visit("surface", branch.surface);
   visit("shading", branch.shading);
@@ -119,6 +126,7 @@ void visit_fields(MaybeConst<Slices> auto& slices, const auto& visit) {
 void visit_fields(MaybeConst<Scene> auto& scene, const auto& visit) {
   visit("volume", scene.volume);
   visit("camera", scene.camera);
+  visit("preparation", scene.preparation);
   visit("focus", scene.focus);
   visit("context", scene.context);
   visit("lens", scene.lens);

@@ -34,6 +34,7 @@ double aspect_of(Viewport viewport) {
 }  // namespace
 
 glm::dvec3 volume_centre_mm(const VolumeFacts& volume) {
+  if (volume.slab) return clamped_position(volume.slab->centre_mm);
   return clamped_position(0.5 * (volume.bounds_minimum_mm + volume.bounds_maximum_mm));
 }
 
@@ -45,24 +46,58 @@ glm::dvec3 chosen_crosshair_mm(const VolumeFacts& volume) {
   return clamped_position(volume.middle_voxel_mm);
 }
 
-glm::dvec3 chosen_up(glm::dvec3 view_direction) {
+namespace {
+
+/// The first view's axes and half of what there is to see along them, mm.
+struct FirstView {
+  glm::dvec3 to_viewer;
+  glm::dvec3 up;
+  glm::dvec3 half_mm;  ///< to the right, up, to the viewer
+};
+
+glm::dvec3 half_along(const glm::dmat3& half_axes_mm, const glm::dmat3& directions) {
+  const glm::dmat3 seen = glm::transpose(directions) * half_axes_mm;
+  return glm::abs(seen[0]) + glm::abs(seen[1]) + glm::abs(seen[2]);
+}
+
+FirstView first_view(const VolumeFacts& volume) {
+  FirstView view{kAnterior, kSuperior, {}};
+  glm::dmat3 half_axes_mm(0.0);
+  for (int axis = 0; axis < 3; ++axis)
+    half_axes_mm[axis][axis] = 0.5 * (volume.bounds_maximum_mm - volume.bounds_minimum_mm)[axis];
+  if (volume.slab) {
+    view = {volume.slab->to_viewer, volume.slab->up, {}};
+    half_axes_mm = volume.slab->half_axes_mm;
+  }
+  const glm::dmat3 axes(glm::cross(view.up, view.to_viewer), view.up, view.to_viewer);
+  view.half_mm = half_along(half_axes_mm, axes);
+  return view;
+}
+
+}  // namespace
+
+glm::dvec3 chosen_up(const VolumeFacts& volume, glm::dvec3 view_direction) {
   constexpr double kNearlyVertical = 1e-3;
-  const double sine = glm::length(glm::cross(glm::normalize(view_direction), kSuperior));
+  const glm::dvec3 direction = glm::normalize(view_direction);
+  if (volume.slab && glm::length(direction + volume.slab->to_viewer) < kNearlyVertical)
+    return volume.slab->up;
+  const double sine = glm::length(glm::cross(direction, kSuperior));
   return sine > kNearlyVertical ? kSuperior : kAnterior;
 }
 
 double chosen_view_height_mm(const VolumeFacts& volume, Viewport viewport) {
-  const glm::dvec3 size_mm = volume.bounds_maximum_mm - volume.bounds_minimum_mm;
-  const double height_mm = kFramingMargin * std::max(size_mm.z, size_mm.x / aspect_of(viewport));
+  const glm::dvec3 half_mm = first_view(volume).half_mm;
+  const double height_mm =
+      2.0 * kFramingMargin * std::max(half_mm.y, half_mm.x / aspect_of(viewport));
   return clamped(height_mm, "/properties/camera/properties/view_height_mm");
 }
 
 glm::dvec3 chosen_eye_mm(const VolumeFacts& volume, Viewport viewport, glm::dvec3 target_mm,
                          double vertical_fov_degrees) {
-  const double depth_mm = volume.bounds_maximum_mm.y - volume.bounds_minimum_mm.y;
+  const FirstView view = first_view(volume);
   const double half_height_mm = 0.5 * chosen_view_height_mm(volume, viewport);
   const double to_front_mm = half_height_mm / std::tan(glm::radians(vertical_fov_degrees) / 2.0);
-  return clamped_position(target_mm + kAnterior * (to_front_mm + 0.5 * depth_mm));
+  return clamped_position(target_mm + view.to_viewer * (to_front_mm + view.half_mm.z));
 }
 
 PlacedLens chosen_lens(const VolumeFacts& volume, const LensPlacementView& view,

@@ -15,10 +15,11 @@ glm::dvec3 slices_centre_mm(const VolumeFacts& volume);
 glm::dvec3 chosen_crosshair_mm(const VolumeFacts& volume);
 
 /// Up to the patient's head; where the view runs along that axis, up to the front of the patient.
-glm::dvec3 chosen_up(glm::dvec3 view_direction);
+/// A slab that is looked at from its front has its own.
+glm::dvec3 chosen_up(const VolumeFacts& volume, glm::dvec3 view_direction);
 
-/// In front of the patient, `target_mm` in the middle; far enough that a volume whose centre is
-/// there fits the field of view with 5 % to spare, each way.
+/// In front of the patient, or of the slab, `target_mm` in the middle; far enough that a volume
+/// whose centre is there fits the field of view with 5 % to spare, each way.
 glm::dvec3 chosen_eye_mm(const VolumeFacts& volume, Viewport viewport, glm::dvec3 target_mm,
                          double vertical_fov_degrees);
 

@@ -115,7 +115,7 @@ RenderRequest FrameService::render_request(const FrameRequest& request, PixelLay
   return {.view = request.view,
           .share = request.share,
           .owner = request.session,
-          .volume = find_volume_(request.scene->volume),
+          .volume = find_volume_(*request.scene),
           .scene = request.scene,
           .settings = settings_for(request, layout),
           .label = std::make_shared<const FrameRequest>(request)};

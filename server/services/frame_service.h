@@ -16,8 +16,9 @@ namespace cutaway {
 /// Thread-safe. Destroying it ends every request that is under way.
 class FrameService : public FrameSource {
  public:
-  /// Finds the volume of a scene in memory; nothing where it is not there any more.
-  using FindVolume = std::function<std::shared_ptr<const LoadedVolume>(const std::string& id)>;
+  /// Finds the volume of a scene in memory, as the scene has it prepared; nothing where it is not
+  /// there any more.
+  using FindVolume = std::function<std::shared_ptr<const LoadedVolume>(const Scene& scene)>;
 
   /// Throws StartUpError (renderer_unavailable).
   FrameService(const RendererSettings& settings, FindVolume find_volume);

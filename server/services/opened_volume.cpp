@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "render/loaded_facts.h"
+#include "render/scene_preparation.h"
 #include "scene/scene_json.h"
 
 namespace cutaway {
@@ -50,10 +51,27 @@ Json summary_of(const LoadedVolume& loaded, const VolumeFacts& facts) {
 }  // namespace
 
 OpenedVolume::OpenedVolume(std::shared_ptr<const LoadedVolume> loaded)
+    : OpenedVolume(loaded, loaded) {}
+
+OpenedVolume::OpenedVolume(std::shared_ptr<const LoadedVolume> loaded,
+                           std::shared_ptr<const LoadedVolume> first_seen)
     : loaded_(std::move(loaded)),
       patient_to_index_(patient_to_index(loaded_->volume.geometry)),
-      facts_(facts_of(loaded_)),
-      summary_(summary_of(*loaded_, facts_)) {}
+      facts_(facts_of(*loaded_, first_seen)),
+      summary_(summary_of(*loaded_, facts_)) {
+  if (first_seen != loaded_)
+    prepared_.put(preparation_of_first_look(*loaded_), std::move(first_seen));
+}
+
+std::shared_ptr<const LoadedVolume> OpenedVolume::seen_in(const Scene& scene) const {
+  const VolumePreparation wanted = preparation_of(scene, *loaded_);
+  if (wanted.is_nothing()) return loaded_;
+  if (auto made = prepared_.find(wanted)) return made;
+  if (auto near = prepared_.nearest(wanted)) return near;
+  return loaded_;
+}
+
+SurfaceProbe OpenedVolume::probe(const Scene& scene) const { return probe_of(seen_in(scene)); }
 
 std::optional<double> OpenedVolume::value_at(glm::dvec3 position_mm) const {
   return value_within(position_mm, kEdge);

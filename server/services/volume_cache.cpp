@@ -35,16 +35,11 @@ void VolumeCache::add(std::shared_ptr<const OpenedVolume> volume) {
 }
 
 std::uint64_t VolumeCache::used_bytes() const {
-  return std::accumulate(
-      volumes_.begin(), volumes_.end(), std::uint64_t{0},
-      [](std::uint64_t sum, const auto& volume) { return sum + memory_bytes(*volume->loaded()); });
-}
-
-std::uint64_t memory_bytes(const LoadedVolume& loaded) {
-  const auto& grid = loaded.min_max;
-  return byte_size(loaded.volume) + byte_size(loaded.pyramid) +
-         ((grid.minimum.size() + grid.maximum.size()) * sizeof(float)) +
-         (loaded.histogram.counts.size() * sizeof(std::uint64_t));
+  return std::accumulate(volumes_.begin(), volumes_.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const auto& volume) {
+                           return sum + memory_bytes(*volume->loaded()) +
+                                  volume->prepared().bytes();
+                         });
 }
 
 }  // namespace cutaway

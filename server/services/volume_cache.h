@@ -28,7 +28,4 @@ class VolumeCache {
   std::list<std::shared_ptr<const OpenedVolume>> volumes_;  ///< the most recently used first
 };
 
-/// Voxels and what is derived from them, as they lie in memory.
-std::uint64_t memory_bytes(const LoadedVolume& loaded);
-
 }  // namespace cutaway

@@ -7,6 +7,7 @@
 #include "core/threads.h"
 #include "scene/scene_json.h"
 #include "services/client_words.h"
+#include "services/first_volume.h"
 #include "services/named_path.h"
 #include "volume/phantoms.h"
 
@@ -36,6 +37,7 @@ Json entry_json(const CatalogueEntry& entry) {
           {"modality", entry.description.modality},
           {"size_voxels", {size.x, size.y, size.z}},
           {"spacing_mm", vector_json(entry.geometry.spacing_mm)},
+          {"worth", worth_seeing(entry.description, entry.geometry)},
           {"warnings", entry.description.warnings}};
 }
 

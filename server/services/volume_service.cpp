@@ -4,6 +4,7 @@
 
 #include "core/log.h"
 #include "core/machine_memory.h"
+#include "render/scene_preparation.h"
 #include "render/texture_limit.h"
 #include "services/client_words.h"
 #include "services/load_job.h"
@@ -61,6 +62,33 @@ std::uint64_t memory_limit(const VolumeSettings& settings) {
   return settings.memory_bytes > 0 ? settings.memory_bytes : machine_memory_bytes() / 2;
 }
 
+/// Someone who wants to hear that a volume is prepared; once dismissed it hears nothing.
+class PreparationWish {
+ public:
+  explicit PreparationWish(std::function<void()> ready) : ready_(std::move(ready)) {}
+  void call() { ready_.call(); }
+  void dismiss() {
+    stop_.request_stop();
+    ready_.dismiss();
+  }
+  std::stop_token stop() const { return stop_.get_token(); }
+
+ private:
+  ListingWatch ready_;
+  std::stop_source stop_;
+};
+
+class PreparationTicket final : public OpenTicket {
+ public:
+  explicit PreparationTicket(std::shared_ptr<PreparationWish> wish) : wish_(std::move(wish)) {}
+  ~PreparationTicket() override { wish_->dismiss(); }
+  PreparationTicket(const PreparationTicket&) = delete;
+  PreparationTicket& operator=(const PreparationTicket&) = delete;
+
+ private:
+  std::shared_ptr<PreparationWish> wish_;
+};
+
 /// Holds the job for as long as someone waits for it.
 class LoadTicket final : public OpenTicket {
  public:
@@ -86,6 +114,7 @@ VolumeService::VolumeService(const VolumeSettings& settings, UploadTarget target
 VolumeService::~VolumeService() {
   pool_.stop();
   preview_pool_.stop();
+  preparing_pool_.stop();
 }
 
 std::unique_ptr<OpenTicket> VolumeService::watch(std::function<void()> changed) {
@@ -144,10 +173,71 @@ void VolumeService::begin(const std::shared_ptr<LoadJob>& job, WorkerPool& pool)
   });
 }
 
-std::shared_ptr<const LoadedVolume> VolumeService::loaded(const std::string& id) {
+std::shared_ptr<const OpenedVolume> VolumeService::find_opened(const std::string& id) {
   const std::lock_guard lock(mutex_);
-  const auto volume = cache_.find(id);
+  return cache_.find(id);
+}
+
+std::shared_ptr<const LoadedVolume> VolumeService::loaded(const std::string& id) {
+  const auto volume = find_opened(id);
   return volume ? volume->loaded() : nullptr;
+}
+
+std::shared_ptr<const LoadedVolume> VolumeService::seen_in(const Scene& scene) {
+  const auto volume = find_opened(scene.volume);
+  return volume ? volume->seen_in(scene) : nullptr;
+}
+
+// Asked for twice it is made once: there is one thread, and the second finds it.
+std::unique_ptr<OpenTicket> VolumeService::prepare(const Scene& scene,
+                                                   std::function<void()> ready) {
+  const auto opened = find_opened(scene.volume);
+  if (!opened) return nullptr;
+  const VolumePreparation wanted = preparation_of(scene, *opened->loaded());
+  if (wanted.is_nothing() || opened->prepared().find(wanted)) return nullptr;
+  auto wish = std::make_shared<PreparationWish>(std::move(ready));
+  preparing_pool_.post([this, opened, wanted, wish] {
+    try {
+      if (!opened->prepared().find(wanted)) {
+        const auto made = make_prepared(*opened->loaded(), wanted, wish->stop());
+        if (!made) return;
+        target_.upload(
+            made, [](LoadStage, double) {}, wish->stop());
+        opened->prepared().put(wanted, made);
+      }
+      wish->call();
+    } catch (const Cancelled&) {
+    } catch (const std::exception& failure) {
+      log().warn("{} was not prepared: {}", opened->facts().id, failure.what());
+    }
+  });
+  return std::make_unique<PreparationTicket>(std::move(wish));
+}
+
+std::shared_ptr<const LoadedVolume> VolumeService::make_prepared(
+    const LoadedVolume& measured, const VolumePreparation& preparation,
+    const std::stop_token& stop) {
+  const std::uint64_t bytes = memory_bytes(measured);
+  try {
+    const std::lock_guard lock(mutex_);
+    cache_.make_room(reserved_bytes_ + bytes);
+    reserved_bytes_ += bytes;
+  } catch (const Error& error) {
+    log().info("{} is shown as it is: {}", measured.volume.description.id, error.what());
+    return nullptr;
+  }
+  const auto give_back = [&] {
+    const std::lock_guard lock(mutex_);
+    reserved_bytes_ -= bytes;
+  };
+  try {
+    auto made = cutaway::prepare(measured, preparation, stop);
+    give_back();
+    return made;
+  } catch (...) {
+    give_back();
+    throw;
+  }
 }
 
 void VolumeService::load(const std::shared_ptr<LoadJob>& job) {
@@ -217,10 +307,12 @@ std::shared_ptr<const OpenedVolume> VolumeService::read_reserved(const Catalogue
   };
   Volume volume = entry.read(progress, job.stop());
   volume.description.id = job.id();
-  auto opened = std::make_shared<const OpenedVolume>(
-      derive_loaded_volume(std::move(volume), progress, job.stop()));
-  target_.upload(opened->loaded(), progress, job.stop());
-  return opened;
+  const auto measured = derive_loaded_volume(std::move(volume), progress, job.stop());
+  const VolumePreparation first = preparation_of_first_look(*measured);
+  auto seen = first.is_nothing() ? nullptr : make_prepared(*measured, first, job.stop());
+  if (!seen) seen = measured;
+  target_.upload(seen, progress, job.stop());
+  return std::make_shared<const OpenedVolume>(measured, seen);
 }
 
 // Whoever asks from here on finds the volume in the cache, or tries anew.

@@ -40,8 +40,12 @@ class VolumeService final : public VolumeLibrary {
   std::unique_ptr<OpenTicket> open_for_preview(const std::string& id,
                                                std::function<void(OpenOutcome)> done) override;
 
-  /// For the renderer; null where it is not loaded.
+  std::unique_ptr<OpenTicket> prepare(const Scene& scene, std::function<void()> ready) override;
+
+  /// As it was measured; null where it is not loaded.
   std::shared_ptr<const LoadedVolume> loaded(const std::string& id);
+  /// The scene's volume for the renderer, as OpenedVolume has it; null where it is not loaded.
+  std::shared_ptr<const LoadedVolume> seen_in(const Scene& scene);
 
  private:
   friend class LoadTicket;
@@ -56,6 +60,11 @@ class VolumeService final : public VolumeLibrary {
   std::shared_ptr<const OpenedVolume> read(const CatalogueEntry& entry, LoadJob& job);
   /// The volume where it is loaded already; else room for it is set aside.
   std::shared_ptr<const OpenedVolume> reserve(const std::string& id, std::uint64_t bytes);
+  std::shared_ptr<const OpenedVolume> find_opened(const std::string& id);
+  /// The volume, prepared; null where memory has no room for it.
+  std::shared_ptr<const LoadedVolume> make_prepared(const LoadedVolume& measured,
+                                                    const VolumePreparation& preparation,
+                                                    const std::stop_token& stop);
   std::shared_ptr<const OpenedVolume> read_reserved(const CatalogueEntry& entry, LoadJob& job);
   void finish(LoadJob& job, const OpenOutcome& outcome);
   void withdraw(const std::shared_ptr<LoadJob>& job, const std::shared_ptr<LoadWaiter>& waiter);
@@ -69,7 +78,8 @@ class VolumeService final : public VolumeLibrary {
   std::list<std::weak_ptr<ListingWatch>> watches_;
   WorkerPool pool_;
   WorkerPool preview_pool_{1};  ///< one at a time, whoever wants them
-  VolumeCatalogue catalogue_;   ///< last: its thread calls listing_changed
+  WorkerPool preparing_pool_{1};
+  VolumeCatalogue catalogue_;  ///< last: its thread calls listing_changed
 };
 
 }  // namespace cutaway

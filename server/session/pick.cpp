@@ -57,8 +57,8 @@ std::optional<PickHit> first_hit(const Scene& scene, const OpenVolume& volume, c
     begin = past_open_cap(volume, ray, band, stretch);
   }
   if (!begin) return std::nullopt;
-  const auto position = volume.facts().first_surface_mm(ray.origin_mm + (*begin * ray.direction),
-                                                        ray.direction, band);
+  const auto position =
+      volume.probe(scene)(ray.origin_mm + (*begin * ray.direction), ray.direction, band);
   if (!position) return std::nullopt;
   const double distance = glm::dot(*position - ray.origin_mm, ray.direction);
   if (distance > stretch.end) return std::nullopt;

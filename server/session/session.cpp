@@ -151,6 +151,7 @@ Session::Reception Session::refuse_too_fast() {
 
 void Session::took_effect(SceneState::Change change, InputStamp stamp) {
   stamp_ = stamp;
+  prepare_shown();
   if (change.chosen) tell_scene_soon();
   if (change.pictures[std::size_t(ViewKind::volume)])
     unseen_.changed(state_.scene(), state_.volume());
@@ -161,6 +162,27 @@ void Session::took_effect(SceneState::Change change, InputStamp stamp) {
       flows_[view]->restamp(stamp);
     }
   }
+}
+
+namespace {
+
+bool want_the_same_volume(const Scene& a, const Scene& b) {
+  return a.volume == b.volume && a.preparation == b.preparation &&
+         a.context.surface.band == b.context.surface.band &&
+         a.focus.surface.band == b.focus.surface.band;
+}
+
+}  // namespace
+
+// Until it is ready, frames show the volume as near to it as there is.
+void Session::prepare_shown() {
+  const auto& scene = state_.scene();
+  if (!scene || (prepared_for_ && want_the_same_volume(*prepared_for_, *scene))) return;
+  prepared_for_ = *scene;
+  preparing_ = wiring_.volumes.prepare(*scene, [ready = callbacks_.bind<int>([this](int) {
+    preparing_.reset();
+    flow(ViewKind::volume).show(snapshot(ViewKind::volume));
+  })] { ready(0); });
 }
 
 // Drags change the scene at the rate of the pointer; the client needs to hear of it at that of the

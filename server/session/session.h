@@ -83,6 +83,7 @@ class Session {
   void opening_failed(const Error& error, const Pending& pending);
   void show_opened(std::shared_ptr<const OpenVolume> volume, const Pending& pending);
   void stop_opening();
+  void prepare_shown();
   void took_effect(SceneState::Change change, InputStamp stamp);
 
   RenderView render_view(std::uint64_t view) const;
@@ -118,6 +119,8 @@ class Session {
   std::optional<TimePoint> scene_told_at_;
   std::shared_ptr<const OpenVolume> told_volume_;
   std::unique_ptr<Alarm> scene_alarm_;
+  std::optional<Scene> prepared_for_;  ///< the scene that asked for it last
+  std::unique_ptr<OpenTicket> preparing_;
   bool page_visible_ = false;
   WeakCallbacks callbacks_;
   std::unique_ptr<OpenTicket> listing_watch_;

@@ -20,6 +20,8 @@ class OpenVolume {
  public:
   virtual ~OpenVolume() = default;
   virtual const VolumeFacts& facts() const = 0;
+  /// Of the volume as the scene has it prepared.
+  virtual SurfaceProbe probe(const Scene& /*scene*/) const { return facts().first_surface_mm; }
   /// Of the physical values: "HU" or "none".
   virtual const std::string& units() const = 0;
   /// The `volume` part of the `scene` message: geometry, value range, histogram.
@@ -53,6 +55,12 @@ class VolumeLibrary {
   /// The same for a small picture of it: behind what anyone wants to see.
   virtual std::unique_ptr<OpenTicket> open_for_preview(const std::string& id,
                                                        std::function<void(OpenOutcome)> done) = 0;
+  /// Makes the volume of a scene as the scene has it prepared, where it is in memory and has not
+  /// been made: `ready` is called once frames show it so. Null where there is nothing to wait for.
+  virtual std::unique_ptr<OpenTicket> prepare(const Scene& /*scene*/,
+                                              std::function<void()> /*ready*/) {
+    return nullptr;
+  }
 };
 
 }  // namespace cutaway

@@ -22,14 +22,13 @@ Histogram build_histogram(const Volume& volume, int bins);
 /// Fast Algorithm for Multilevel Thresholding", JISE 17, 2001.
 std::vector<double> otsu_thresholds(const Histogram& histogram, int levels);
 
-/// Iso-values of an outer (context) and an inner (focus) surface for this volume: CT in HU has skin
-/// at -200 and bone at 250; everything else by Otsu over its histogram.
+/// Iso-values of an outer (context) and an inner (focus) surface where a volume's edges tell none:
+/// by Otsu over its histogram.
 struct SuggestedSurfaces {
   double outer_iso_value = 0.0;
   double inner_iso_value = 0.0;
 };
-SuggestedSurfaces suggest_surfaces(const VolumeDescription& description,
-                                   const Histogram& histogram);
+SuggestedSurfaces suggest_surfaces(const Histogram& histogram);
 
 /// The physical values from black to white by which a slice is drawn at first: the file's own
 /// window; else CT in HU has the soft tissue's, 40 +- 200, and everything else what is left without

@@ -19,7 +19,12 @@ int brick_size(glm::ivec3 size_voxels) {
 
 constexpr int kHistogramBins = 1024;
 constexpr double kMinMaxShare =
-    0.6;  ///< of the stage's progress; pyramid and histogram are the rest
+    0.4;  ///< of the stage's progress; pyramid and findings are the rest
+
+BoundingBox material_bounds_mm(const LoadedVolume& loaded) {
+  if (loaded.findings.body) return loaded.findings.body->body_bounds_mm;
+  return bounds_reaching_mm(loaded.min_max, loaded.volume.geometry, loaded.findings.outer.value);
+}
 
 }  // namespace
 
@@ -37,11 +42,17 @@ std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume,
   loaded->pyramid = build_pyramid(loaded->volume, stop);
   loaded->histogram = build_histogram(loaded->volume, kHistogramBins);
   throw_if_cancelled(stop);
-  loaded->surfaces = suggest_surfaces(loaded->volume.description, loaded->histogram);
-  loaded->material_bounds_mm = bounds_reaching_mm(loaded->min_max, loaded->volume.geometry,
-                                                  loaded->surfaces.outer_iso_value);
+  loaded->findings = find_out(loaded->volume, stop);
+  loaded->material_bounds_mm = material_bounds_mm(*loaded);
   if (progress) progress(LoadStage::min_max, 1.0);
   return loaded;
+}
+
+std::uint64_t memory_bytes(const LoadedVolume& loaded) {
+  const MinMaxGrid& grid = loaded.min_max;
+  return byte_size(loaded.volume) + byte_size(loaded.pyramid) +
+         ((grid.minimum.size() + grid.maximum.size()) * sizeof(float)) +
+         (loaded.histogram.counts.size() * sizeof(std::uint64_t)) + byte_size(loaded.findings);
 }
 
 }  // namespace cutaway

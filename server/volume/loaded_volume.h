@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "volume/facts/findings.h"
 #include "volume/histogram.h"
 #include "volume/min_max_grid.h"
 #include "volume/pyramid.h"
@@ -15,12 +16,16 @@ struct LoadedVolume {
   MinMaxGrid min_max;
   std::vector<CoarseLevel> pyramid;
   Histogram histogram;
-  SuggestedSurfaces surfaces;
-  BoundingBox material_bounds_mm;  ///< patient space: what reaches the outer iso-value, to a brick
+  Findings findings;
+  /// Patient space: the body where it was found, else what reaches the outer iso-value, to a brick.
+  BoundingBox material_bounds_mm;
 };
 
 std::shared_ptr<const LoadedVolume> derive_loaded_volume(Volume volume,
                                                          const ProgressSink& progress,
                                                          const std::stop_token& stop);
+
+/// Voxels and what is derived from them, as they lie in memory.
+std::uint64_t memory_bytes(const LoadedVolume& loaded);
 
 }  // namespace cutaway

@@ -7,9 +7,6 @@ namespace cutaway {
 
 namespace {
 
-constexpr double kSkinHu = -200.0;
-constexpr double kBoneHu = 250.0;
-
 /// Weight and first moment of the bins before each bin, so that any class costs two look-ups.
 class Moments {
  public:
@@ -85,11 +82,7 @@ std::vector<double> otsu_thresholds(const Histogram& histogram, int levels) {
   return thresholds;
 }
 
-SuggestedSurfaces suggest_surfaces(const VolumeDescription& description,
-                                   const Histogram& histogram) {
-  const bool is_ct = description.modality == "CT" && description.units == "HU";
-  const bool reaches_both = histogram.range.minimum < kSkinHu && kBoneHu < histogram.range.maximum;
-  if (is_ct && reaches_both) return {kSkinHu, kBoneHu};
+SuggestedSurfaces suggest_surfaces(const Histogram& histogram) {
   const std::vector<double> thresholds = otsu_thresholds(histogram, 3);
   return {thresholds[0], thresholds[1]};
 }

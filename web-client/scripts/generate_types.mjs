@@ -84,7 +84,15 @@ async function writeSceneFields() {
   const names = ['scene', 'modules', 'client-message', 'style'];
   const [scene, modules, client, style] = await Promise.all(names.map(readSchema));
   const fields = {};
-  for (const group of ['camera', 'surface', 'lens', 'light', 'background', 'window']) {
+  for (const group of [
+    'camera',
+    'preparation',
+    'surface',
+    'lens',
+    'light',
+    'background',
+    'window',
+  ]) {
     for (const [name, schema] of Object.entries(scene.definitions[group].properties)) {
       fields[`${group}.${name}`] = fieldFacts(schema, scene.definitions);
     }

@@ -92,8 +92,8 @@ TEST(NoData, ABodyOfTheSmallestLabelIsNotWhatIsOutsideOfIt) {
   const auto loaded = derive_loaded_volume(read_values(kFloat, labels), {}, {});
   EXPECT_EQ(loaded->volume.value_range, (ValueRange{1.0, 2.0}));
   EXPECT_EQ(loaded->volume.nothing_value, 0.0);
-  EXPECT_NEAR(loaded->surfaces.outer_iso_value, 0.5, 0.01);
-  EXPECT_NEAR(loaded->surfaces.inner_iso_value, 1.5, 0.01);
+  EXPECT_NEAR(loaded->findings.outer.value, 0.5, 0.01);
+  EXPECT_NEAR(loaded->findings.inner.value, 0.5, 0.01);
 }
 
 TEST(HotVoxel, ChangesNothingThatIsChosen) {
@@ -103,8 +103,8 @@ TEST(HotVoxel, ChangesNothingThatIsChosen) {
   EXPECT_EQ(loaded->volume.description.units, "HU");
   EXPECT_EQ(loaded->volume.value_range.maximum, 1e6);
   EXPECT_EQ(loaded->histogram.range, (ValueRange{-1000.0, 700.0}));
-  EXPECT_EQ(loaded->surfaces.outer_iso_value, -200.0);
-  EXPECT_EQ(loaded->surfaces.inner_iso_value, 250.0);
+  EXPECT_EQ(loaded->findings.outer.value, -300.0);
+  EXPECT_EQ(loaded->findings.inner.value, 250.0);
   EXPECT_TRUE(has_warning(loaded->volume.description, "1 voxel lies far from all others"));
 }
 

@@ -86,6 +86,25 @@ TEST(LensPlacement, FindsTheSurfaceBesideTheMiddle) {
   EXPECT_NEAR(glm::distance(lens->centre_mm, kBallCentre_mm), kBallRadius_mm, 1e-6);
 }
 
+/// The box cuts off the ball's front below the middle and on the patient's left.
+TEST(LensPlacement, IsNotWhereTheBoxCutsTheBody) {
+  VolumeFacts facts = ball_facts();
+  const auto whole = facts.first_surface_mm;
+  const double face_y = kBallCentre_mm.y - 70.0;
+  facts.grid_centre_mm.y = face_y + 100.0;
+  facts.grid_half_axes_mm[1] = {0.0, 101.0, 0.0};
+  facts.outermost_share = {1.0, 100.0 / 101.0, 1.0};
+  facts.first_surface_mm = [=](glm::dvec3 origin_mm, glm::dvec3 direction, const ValueBand& band) {
+    auto point = whole(origin_mm, direction, band);
+    if (point && point->y < face_y)
+      *point = origin_mm + direction * ((face_y - origin_mm.y) / direction.y);
+    return point;
+  };
+  const auto lens = placed_lens(facts, front_view(), 30.0);
+  ASSERT_TRUE(lens);
+  EXPECT_GT(lens->centre_mm.y, face_y + 0.5) << "the face is a disc of 39 mm about the middle";
+}
+
 TEST(LensPlacement, IsTheSameInAWiderViewport) {
   for (const auto& facts : {ball_facts(), ball_with_bone_on_the_left()}) {
     LensPlacementView view = front_view();

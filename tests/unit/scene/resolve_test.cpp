@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/error.h"
 #include "scene/schema.h"
 #include "scene/view_geometry.h"
@@ -52,6 +54,51 @@ TEST(Resolve, PutsTheLensOnTheSurfaceInTheMiddleOfTheView) {
       resolved(R"({"camera": {"eye_mm": [10, -20, 900]}, "lens": {"radius_mm": 60}})");
   EXPECT_LT(glm::distance(above.lens.centre_mm, kBallCentre_mm + glm::dvec3(0, 0, kBallRadius_mm)),
             1e-9);
+}
+
+TEST(Resolve, LooksAtASlabFromItsFront) {
+  VolumeFacts facts = ball_facts();
+  SlabView& slab = facts.slab.emplace();
+  slab.centre_mm = {5.0, 6.0, 7.0};
+  slab.to_viewer = glm::normalize(glm::dvec3(0.0, -0.6, -0.8));
+  slab.up = glm::normalize(glm::dvec3(0.0, -0.8, 0.6));
+  slab.half_axes_mm = {glm::dvec3(90.0, 0.0, 0.0), 60.0 * slab.up, 4.0 * slab.to_viewer};
+  const Scene scene = resolve_scene(Json::object(), facts, {640, 480});
+  const glm::dvec3 to_eye = scene.camera.eye_mm - slab.centre_mm;
+  EXPECT_EQ(scene.camera.target_mm, slab.centre_mm);
+  EXPECT_LT(glm::length(glm::cross(glm::normalize(to_eye), slab.to_viewer)), 1e-9);
+  EXPECT_LT(glm::distance(scene.camera.up, slab.up), 1e-9);
+  // Its front fills the view to 5 %: 2 x 90 mm across four thirds of the height.
+  const double seen_mm = 2.0 * std::tan(glm::radians(15.0)) * (glm::length(to_eye) - 4.0);
+  EXPECT_NEAR(seen_mm, 1.05 * 180.0 * 480.0 / 640.0, 1e-6);
+  const Scene turned =
+      resolve_scene(Json::parse(R"({"camera": {"eye_mm": [900, 0, 0]}})"), facts, {640, 480});
+  EXPECT_EQ(turned.camera.up, glm::dvec3(0.0, 0.0, 1.0));
+}
+
+VolumeFacts facts_of_ct_with_couch() {
+  VolumeFacts facts = ball_facts();
+  facts.first_preparation = {.hide_couch = true, .fill_context = true, .focus_islands_ml = 0.5};
+  return facts;
+}
+
+TEST(Resolve, PreparesTheVolumeForAFirstLook) {
+  const VolumeFacts facts = facts_of_ct_with_couch();
+  const Scene scene = resolve_scene(Json::object(), facts, {640, 480});
+  EXPECT_EQ(scene.preparation, facts.first_preparation);
+  EXPECT_EQ(resolve_scene(scene_document(scene), facts, {640, 480}), scene);
+  const Scene with_couch =
+      resolve_scene(Json::parse(R"({"preparation": {"hide_couch": false}})"), facts, {640, 480});
+  EXPECT_FALSE(with_couch.preparation.hide_couch);
+  EXPECT_TRUE(with_couch.preparation.fill_context);
+  EXPECT_EQ(with_couch.preparation.focus_islands_ml, 0.5);
+}
+
+/// A link of the time before there was any draws what it drew.
+TEST(Resolve, PreparesNothingWhereTheDocumentSaysItsSurface) {
+  const Json document = Json::parse(R"({"context": {"surface": {"iso_value": -200}}})");
+  const Scene scene = resolve_scene(document, facts_of_ct_with_couch(), {640, 480});
+  EXPECT_EQ(scene.preparation, Preparation{});
 }
 
 TEST(Resolve, PutsTheLensInTheVolumeWhereTheViewMissesTheSurface) {

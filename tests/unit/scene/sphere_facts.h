@@ -33,6 +33,7 @@ inline VolumeFacts ball_facts() {
   facts.middle_voxel_mm = kBallCentre_mm + glm::dvec3(0.5, 0.0, 0.5);
   facts.grid_half_axes_mm = glm::dmat3(1.0);
   for (int axis = 0; axis < 3; ++axis) facts.grid_half_axes_mm[axis][axis] = 100.0 - 10.0 * axis;
+  facts.outermost_share = glm::dvec3(2.0);  // the ball is whole, and touches the grid's faces
   facts.window_centre = 40.0;
   facts.window_width = 400.0;
   facts.minimum_value = -1000.0;

@@ -66,6 +66,12 @@ std::unique_ptr<OpenTicket> FakeLibrary::open(const std::string& id, ProgressSin
   return std::make_unique<Ticket>([wish = wishes.back()] { wish->withdrawn = true; });
 }
 
+std::unique_ptr<OpenTicket> FakeLibrary::prepare(const Scene& scene, std::function<void()> ready) {
+  if (!prepares) return nullptr;
+  preparing.push_back(std::make_shared<Preparing>(Preparing{scene, std::move(ready)}));
+  return std::make_unique<Ticket>([wish = preparing.back()] { wish->withdrawn = true; });
+}
+
 void FakeLibrary::finish() {
   const auto& wish = wishes.back();
   wish->done(std::make_shared<const BallVolume>(wish->id, centre_value));

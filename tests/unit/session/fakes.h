@@ -152,6 +152,9 @@ class FakeLibrary final : public VolumeLibrary {
     return open(id, {}, std::move(done));
   }
 
+  /// Of the ball: nothing is to be prepared where `prepares` is false.
+  std::unique_ptr<OpenTicket> prepare(const Scene& scene, std::function<void()> ready) override;
+
   /// Ends the newest wish with a ball.
   void finish();
   void fail(const Error& error);
@@ -160,6 +163,13 @@ class FakeLibrary final : public VolumeLibrary {
 
   std::vector<std::shared_ptr<Wish>> wishes;
   double centre_value = 200.0;
+  bool prepares = false;
+  struct Preparing {
+    Scene scene;
+    std::function<void()> ready;
+    bool withdrawn = false;
+  };
+  std::vector<std::shared_ptr<Preparing>> preparing;
 
  private:
   Json listing_ = {{"volumes", Json::array()}, {"refused", Json::array()}, {"scanning", false}};

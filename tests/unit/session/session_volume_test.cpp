@@ -22,6 +22,33 @@ TEST_F(SessionVolumeTest, ReportsProgressThenReadyThenTheScene) {
   EXPECT_EQ(client.texts.back()["type"], "scene");
 }
 
+TEST_F(SessionVolumeTest, ShowsAPreparedVolumeOnceItIsReady) {
+  show_ball();
+  library.prepares = true;
+  scene({{"preparation", {{"focus_islands_ml", 0.5}}}});
+  ASSERT_EQ(library.preparing.size(), 1U);
+  EXPECT_EQ(library.preparing[0]->scene.preparation.focus_islands_ml, 0.5);
+  scene({{"light", {{"direction", {1, 0, 0}}}}});
+  EXPECT_EQ(library.preparing.size(), 1U) << "a light asks for no other volume";
+  EXPECT_FALSE(library.preparing[0]->withdrawn);
+  come_to_rest();
+  ASSERT_TRUE(frames.idle());
+  library.preparing[0]->ready();
+  strand->run();
+  EXPECT_FALSE(frames.idle()) << "the same scene, of another volume";
+  EXPECT_EQ(rendered().preparation.focus_islands_ml, 0.5);
+}
+
+TEST_F(SessionVolumeTest, WithdrawsAPreparationThatAnotherReplaces) {
+  show_ball();
+  library.prepares = true;
+  scene({{"preparation", {{"focus_islands_ml", 0.5}}}});
+  scene({{"focus", {{"surface", {{"iso_value", 180.0}}}}}});
+  ASSERT_EQ(library.preparing.size(), 2U);
+  EXPECT_TRUE(library.preparing[0]->withdrawn);
+  EXPECT_FALSE(library.preparing[1]->withdrawn);
+}
+
 TEST_F(SessionVolumeTest, ThousandsOfProgressReportsBecomeAFew) {
   scene({{"volume", "ball"}});
   for (int i = 0; i <= 10'000; ++i) {

@@ -13,7 +13,7 @@ TEST(DeriveLoadedVolume, HoldsWhatBelongsToTheVolume) {
   EXPECT_EQ(loaded->volume.value_range, volume.value_range);
   EXPECT_EQ(loaded->min_max.size_bricks, glm::ivec3(10));
   EXPECT_EQ(loaded->histogram.range, volume.value_range);
-  EXPECT_LT(loaded->surfaces.outer_iso_value, loaded->surfaces.inner_iso_value);
+  EXPECT_LT(loaded->findings.outer.value, loaded->findings.inner.value);
 }
 
 TEST(DeriveLoadedVolume, OfALargeVolumeHasLargerBricksAndNotMore) {

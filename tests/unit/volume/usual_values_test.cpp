@@ -27,7 +27,7 @@ Volume head_with(const std::vector<float>& others) {
 }
 
 SuggestedSurfaces surfaces_of(const Volume& volume) {
-  return suggest_surfaces(volume.description, build_histogram(volume, 1024));
+  return suggest_surfaces(build_histogram(volume, 1024));
 }
 
 TEST(UsualValues, AreAllWhereNoneIsAStray) {

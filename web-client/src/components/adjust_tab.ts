@@ -1,5 +1,5 @@
 // How things look, in detail: what `capabilities` offers for both branches, the lens and the light.
-import { css, html } from 'lit';
+import { css, html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import type { CapabilitiesMessage, Scene, VolumeSummary } from '../protocol/messages.ts';
 import type { Control } from '../state/controls.ts';
@@ -8,6 +8,7 @@ import type { JsonObject } from '../state/merge_patch.ts';
 import { moduleModel } from '../state/module_model.ts';
 import { backgroundControl, lightControls, sceneChoiceControl } from '../state/scene_controls.ts';
 import { bandModel } from '../state/surface_controls.ts';
+import { preparationControls } from '../state/preparation_controls.ts';
 import { tissuePresets } from '../state/tissue_presets.ts';
 import { shared } from '../styles/shared.ts';
 import './band_editor.ts';
@@ -74,7 +75,13 @@ export class AdjustTab extends SessionElement {
       ?open=${branch === 'focus'}
       .reset=${() => this.session.commands.resetGroup(branch)}
     >
-      ${this.band(branch, known, heading)} ${this.field(shading.choice, heading)}
+      ${this.band(branch, known, heading)}
+      ${
+        branch === 'context'
+          ? preparationControls(scene).map((control) => this.field(control, heading))
+          : nothing
+      }
+      ${this.field(shading.choice, heading)}
       <cutaway-module-fields
         .controls=${shading.controls}
         .group=${heading}

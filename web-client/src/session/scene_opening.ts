@@ -1,7 +1,8 @@
-// Which scene a session begins with: the one it showed before, else the address', else the first
-// volume in the first style. That is a file's where the server has files, so it waits for their
+// Which scene a session begins with: the one it showed before, else the address', else the volume
+// best worth seeing in the first style. That is a file's where the server has files, so it waits for their
 // scan.
 import type { ErrorMessage, Scene } from '../protocol/messages.ts';
+import { bestVolume } from '../state/best_volume.ts';
 import { SceneAddressError, sceneFromAddress } from '../state/scene_address.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
 import type { Store } from '../state/store.ts';
@@ -84,7 +85,7 @@ export class SceneOpening {
 
   private openDefault(): void {
     const { capabilities, volumes, scanning, preferences } = this.store.state;
-    const [volume] = volumes;
+    const volume = bestVolume(volumes);
     const awaits_volume = scanning && volumes.every(({ format }) => format === 'phantom');
     this.store.update({ awaits_volume });
     if (!volume || awaits_volume) return;

@@ -45,7 +45,7 @@ export interface ViewerState {
   readonly refused: readonly RefusedEntry[];
   /** The server still looks through its data folders. */
   readonly scanning: boolean;
-  /** The first volume is to be opened once one of a file is there, or none will come. */
+  /** A volume is to be opened once one of a file is there, or none will come. */
   readonly awaits_volume: boolean;
   readonly loading: LoadingMessage | undefined;
   /** What the user has set; ahead of the picture. */

@@ -26,6 +26,8 @@ export const controls = {
   upper_end: 'Upper end',
   upper_value: 'Upper value',
   opacity: 'Opacity',
+  hide_couch: 'Hide couch and headrest',
+  fill_context: 'Fill the body',
   shading: 'Shading',
 
   light_turns_with: 'Light turns with',

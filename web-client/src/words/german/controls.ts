@@ -23,6 +23,8 @@ export const controls: Words['controls'] = {
   upper_end: 'Oberes Ende',
   upper_value: 'Oberer Wert',
   opacity: 'Deckkraft',
+  hide_couch: 'Liege und Kopfstütze ausblenden',
+  fill_context: 'Körper füllen',
   shading: 'Schattierung',
 
   light_turns_with: 'Licht dreht sich mit',

@@ -9,6 +9,15 @@ export const descriptions: Readonly<Record<DescribedField, string>> = {
   'camera.vertical_fov_degrees':
     'Sichtfeld vom unteren zum oberen Bildrand, in Grad; für die Perspektive.',
   'camera.view_height_mm': 'Was die Bildhöhe umfasst, mm; für die orthografische Projektion.',
+  'preparation.hide_couch':
+    'Ob bei CT weggelassen wird, was neben dem Körper liegt: Liege, Kopfstütze, Decken.',
+  'preparation.fill_context':
+    'Ob bei CT für den Kontext gefüllt wird, was der Körper umschließt: Lunge und Darm haben dann ' +
+    'keine Oberfläche. Nicht, wo der Fokus unter dem Kontext beginnt.',
+  'preparation.focus_islands_ml':
+    'Teile des Fokusmaterials, die kleiner sind und an nichts hängen, werden weggelassen; 0 behält ' +
+    'alle. Nicht mit oberem Ende.',
+  'preparation.context_islands_ml': 'Dasselbe für das Material des Kontexts.',
   'surface.iso_value':
     'Unteres Ende des Bandes, in den Einheiten des Volumens (Hounsfield bei CT). Fehlt es, wird ' +
     'es für das Volumen gewählt.',
