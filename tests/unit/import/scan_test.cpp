@@ -259,7 +259,10 @@ TEST(InfoCommand, PrintsEveryFieldAsJson) {
     "size": [2, 3, 4], "spacing_mm": [1, 2, 3], "origin_lps_mm": [0, 0, -5],
     "direction_lps": [0, 1, 0, 1, 0, 0, 0, 0, -1], "value_range": [97, 120], "units": "none", "warnings": []}])");
   const auto document = nlohmann::json::parse(result.out);
-  EXPECT_EQ(document.at("volumes"), expected);
+  auto volumes = document.at("volumes");
+  EXPECT_EQ(volumes.at(0).at("first_look").at("kind"), "values of unknown units");
+  volumes.at(0).erase("first_look");
+  EXPECT_EQ(volumes, expected);
   ASSERT_EQ(document.at("refused").size(), 1U);
   EXPECT_EQ(document.at("refused")[0].at("path"), (folder / "b.nii").string());
   EXPECT_EQ(document.size(), 2U);
