@@ -132,7 +132,10 @@ std::optional<double> contrast_boundary(const EdgeStatistics& inside) {
     if (value < kLowest || value > *filled) continue;
     if (!best || flux[peak] > flux[*best]) best = peak;
   }
-  return best ? inside.value_of(*best) : 0.5 * *filled;
+  // Blood meets tissue half way between the two; what begins higher lies within a shell of its own.
+  constexpr double kHalfWay = 0.75;
+  if (!best || inside.value_of(*best) > kHalfWay * *filled) return std::nullopt;
+  return inside.value_of(*best);
 }
 
 }  // namespace cutaway

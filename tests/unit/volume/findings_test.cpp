@@ -91,6 +91,18 @@ TEST(Findings, TellContrastMediumFromBone) {
   EXPECT_NEAR(found.inner.value, 230.0, 80.0);
 }
 
+TEST(Findings, DoNotTakeMarrowInABonesShellForContrastMedium) {
+  const Field knee = [](glm::dvec3 p) {
+    const double tissue = ball(p, 44.0, 40.0, -1000.0);
+    const double shell = ball(p, 24.0, 900.0, 0.0);
+    const double marrow = ball(p, 20.0, -560.0, 0.0);
+    return tissue + shell + marrow + 15.0 * noise(p);
+  };
+  const Findings found = of(volume_of(test::centred_geometry(104), knee, "CT", "HU"));
+  EXPECT_FALSE(found.has_contrast);
+  EXPECT_EQ(found.inner.from, "bone of a CT");
+}
+
 TEST(Findings, KnowMasksLabelsMapsAndNoise) {
   const VolumeGeometry geometry = test::centred_geometry(48);
   const auto kind_of = [&](const Field& field) {
