@@ -13,6 +13,7 @@
 #include "render/loaded_facts.h"
 #include "render/render_thread.h"
 #include "render/scene_preparation.h"
+#include "scene/first_look.h"
 #include "scene/resolve.h"
 #include "scene/unseen.h"
 #include "volume/phantoms.h"
@@ -61,7 +62,7 @@ void run_render(const RenderCommand& command) {
   const VolumePreparation first = preparation_of_first_look(*volume);
   const auto first_seen = first.is_nothing() ? volume : prepare(*volume, first, {});
   const VolumeFacts facts = facts_of(*volume, first_seen);
-  const Scene scene = resolve_scene(document, facts, size);
+  const Scene scene = resolve_scene(with_first_look(document, facts), facts, size);
   for (const UnseenReason& reason : reasons_for_nothing(scene, facts))
     std::cerr << "cutaway render: " << in_words(reason) << '\n';
   const Picture picture =

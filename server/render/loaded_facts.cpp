@@ -36,6 +36,11 @@ SlabView slab_view(const MaterialShape& shape) {
   return slab;
 }
 
+std::string first_style(const Findings& findings) {
+  if (findings.has_contrast) return "angiography";
+  return findings.kind == DataKind::mr ? "brain" : "flagship";
+}
+
 }  // namespace
 
 VolumeFacts facts_of(const LoadedVolume& loaded, std::shared_ptr<const LoadedVolume> seen) {
@@ -57,6 +62,7 @@ VolumeFacts facts_of(const LoadedVolume& loaded, std::shared_ptr<const LoadedVol
                     .window_centre = 0.5 * (window.minimum + window.maximum),
                     .window_width = window.maximum - window.minimum};
   if (loaded.findings.shape.is_slab()) facts.slab = slab_view(loaded.findings.shape);
+  facts.first_style = first_style(loaded.findings);
   facts.first_preparation = first_preparation(loaded.findings);
   facts.first_surface_mm = probe_of(std::move(seen));
   return facts;

@@ -42,6 +42,7 @@ struct VolumeFacts {
   double window_centre = 0.0;    ///< of slices by default
   double window_width = 1.0;
   std::optional<SlabView> slab = {};
+  std::string first_style;        ///< of a scene that leaves its look to the volume; "": none suits
   Preparation first_preparation;  ///< of a scene that leaves its surfaces to the volume, too
   SurfaceProbe first_surface_mm;  ///< of the volume so prepared; thread-safe
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/first_look.h"
+#include "scene/scene_fields.h"
 #include "scene/slice_geometry.h"
 
 namespace cutaway {
@@ -61,9 +63,11 @@ SceneState::Change SceneState::commit(Json document, const Viewports& viewports,
   const Viewport viewport = viewports[static_cast<std::size_t>(ViewKind::volume)];
   if (volume && !has_size(viewport)) {
     // Throws now what it would throw later.
-    resolve_scene(document, volume->facts(), document_viewport(Json::object()), lenses_);
+    resolve_scene(with_first_look(document, volume->facts()), volume->facts(),
+                  document_viewport(Json::object()), lenses_);
   } else if (volume) {
-    const Scene resolved = resolve_scene(document, volume->facts(), viewport, lenses_);
+    const Scene resolved = resolve_scene(with_first_look(document, volume->facts()),
+                                         volume->facts(), viewport, lenses_);
     Json complete = scene_document(resolved);
     const bool is_new_volume = volume != volume_;
     change.scene = is_new_volume || !scene() || resolved != *scene();
@@ -76,6 +80,14 @@ SceneState::Change SceneState::commit(Json document, const Viewports& viewports,
   volume_ = std::move(volume);
   if (change.scene) ++revision_;
   return change;
+}
+
+Json SceneState::document_for_another_volume() const {
+  if (!volume_) return document_;
+  Json document = without_volume_choices(document_);
+  const bool is_untouched =
+      scene() && has_first_look(document_, volume_->facts(), scene()->viewport);
+  return is_untouched ? without_fields(std::move(document), BelongsTo::look) : document;
 }
 
 void SceneState::put_scenes(const Scene& scene, const Viewports& viewports, bool is_new_volume,

@@ -27,6 +27,8 @@ class SceneState {
   /// What the client said so far; once a scene is resolved, the whole of it, so that nothing chosen
   /// for the volume moves by itself later.
   const Json& document() const { return document_; }
+  /// Without what was chosen for the open volume: a look that nobody touched is chosen anew, too.
+  Json document_for_another_volume() const;
   const std::shared_ptr<const OpenVolume>& volume() const { return volume_; }
   /// Nothing until there are a volume and the 3-D picture's viewport.
   const std::shared_ptr<const Scene>& scene() const { return scene(ViewKind::volume); }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/log.h"
+#include "scene/first_look.h"
 #include "scene/json_text.h"
 #include "scene/styles.h"
 
@@ -220,6 +221,7 @@ SceneSnapshot Session::preview_of(const PreviewMessage& wish, const OpenVolume* 
   Json document = is_own ? state_.document() : Json::object();
   if (wish.style) document = changed_document(document, style(*wish.style).scene, false);
   document = changed_document(document, for_one_picture(wish.scene), false);
+  document = with_first_look(std::move(document), volume.facts());
   Scene scene =
       resolve_scene(document, volume.facts(), {wish.width_px, wish.height_px}, lenses_of_pictures_);
   pay_for_lens_searches();

@@ -48,8 +48,7 @@ void Session::handle(const SceneMessage& message) {
   const auto wanted = volume_of(message.scene);
   const bool wants_shown = wanted && state_.volume() && *wanted == state_.volume()->facts().id;
   if (wanted && !wants_shown && wanted != opening_.volume()) {
-    const Json base =
-        state_.volume() ? without_volume_choices(state_.document()) : state_.document();
+    const Json base = state_.document_for_another_volume();
     return open_volume(*wanted, changed_document(base, message.scene, message.replace),
                        message.stamp);
   }

@@ -39,9 +39,11 @@ TEST(Styles, FollowTheSchemaAndResolve) {
   }
 }
 
-TEST(Styles, BeginWithTheFlagshipWhichIsTheDefaultLook) {
-  EXPECT_EQ(styles().front().name, "flagship");
-  EXPECT_EQ(look(styles().front().scene), look(Json::object()));
+TEST(Styles, BeginWithTheFlagship) { EXPECT_EQ(styles().front().name, "flagship"); }
+
+/// What old documents leave open is as it was.
+TEST(Styles, TheDissertationsIsTheSchemasOwnLook) {
+  EXPECT_EQ(look(style("dissertation").scene), look(Json::object()));
 }
 
 /// CIE L*a*b* (D65) of display-encoded sRGB.
@@ -62,9 +64,9 @@ glm::dvec3 lab_of(const Json& srgb) {
   return {116.0 * f.y - 16.0, 500.0 * (f.x - f.y), 200.0 * (f.y - f.z)};
 }
 
-TEST(Styles, TheFlagshipsFocusIsThreeTimesAsColourfulAsItsContext) {
+TEST(Styles, TheDissertationsFocusIsThreeTimesAsColourfulAsItsContext) {
   const auto contrast = [](const char* branch) {
-    const Json& shading = style("flagship").scene.at(branch).at("shading");
+    const Json& shading = style("dissertation").scene.at(branch).at("shading");
     return glm::distance(lab_of(shading.at("dark")), lab_of(shading.at("light")));
   };
   EXPECT_GE(contrast("focus"), 3.0 * contrast("context"));

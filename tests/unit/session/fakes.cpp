@@ -31,7 +31,9 @@ class Ticket final : public OpenTicket {
 
 }  // namespace
 
-BallVolume::BallVolume(std::string id, double centre_value) : centre_value_(centre_value) {
+BallVolume::BallVolume(std::string id, double centre_value, std::string first_style)
+    : centre_value_(centre_value) {
+  facts_.first_style = std::move(first_style);
   facts_.id = std::move(id);
   facts_.bounds_minimum_mm = glm::dvec3(-kHalfEdge);
   facts_.bounds_maximum_mm = glm::dvec3(kHalfEdge);
@@ -74,7 +76,7 @@ std::unique_ptr<OpenTicket> FakeLibrary::prepare(const Scene& scene, std::functi
 
 void FakeLibrary::finish() {
   const auto& wish = wishes.back();
-  wish->done(std::make_shared<const BallVolume>(wish->id, centre_value));
+  wish->done(std::make_shared<const BallVolume>(wish->id, centre_value, first_style));
 }
 
 void FakeLibrary::fail(const Error& error) { wishes.back()->done(error); }

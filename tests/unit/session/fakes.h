@@ -116,7 +116,7 @@ class FakeFrames final : public FrameSource {
 /// A ball around the origin whose value falls by 1 per mm from `centre_value`.
 class BallVolume final : public OpenVolume {
  public:
-  explicit BallVolume(std::string id, double centre_value = 200.0);
+  explicit BallVolume(std::string id, double centre_value = 200.0, std::string first_style = {});
 
   const VolumeFacts& facts() const override { return facts_; }
   const std::string& units() const override { return units_; }
@@ -163,6 +163,7 @@ class FakeLibrary final : public VolumeLibrary {
 
   std::vector<std::shared_ptr<Wish>> wishes;
   double centre_value = 200.0;
+  std::string first_style;
   bool prepares = false;
   struct Preparing {
     Scene scene;

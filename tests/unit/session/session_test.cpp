@@ -315,7 +315,7 @@ TEST_F(SessionTest, APreviewIsTheSceneInAnotherStyleWhichIsNotTakenUp) {
   EXPECT_EQ(request.view, 3);
   EXPECT_EQ(request.scene->viewport, (Viewport{120, 90}));
   EXPECT_EQ(request.scene->lens.radius_mm, 17.0);
-  EXPECT_EQ(request.scene->focus.filters.front().name, "kuwahara");
+  EXPECT_EQ(request.scene->focus.shading.parameters.at("detail"), 0);
   ASSERT_EQ(client.stills.size(), 1);
   EXPECT_EQ(client.stills[0].header.type, PictureType::preview);
   EXPECT_EQ(client.stills[0].header.frame, 7);

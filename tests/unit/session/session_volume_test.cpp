@@ -1,6 +1,7 @@
 // Opening volumes: progress, cancel, failure, and what happens to the scene meanwhile.
 #include <gmock/gmock.h>
 
+#include "scene/styles.h"
 #include "unit/session/session_fixture.h"
 
 namespace cutaway {
@@ -20,6 +21,21 @@ TEST_F(SessionVolumeTest, ReportsProgressThenReadyThenTheScene) {
   strand->run();
   EXPECT_THAT(loading_stages(), ElementsAre("read", "decode", "ready"));
   EXPECT_EQ(client.texts.back()["type"], "scene");
+}
+
+TEST_F(SessionVolumeTest, ALookThatNobodyTouchedFollowsTheVolume) {
+  library.first_style = "night";
+  show_ball();
+  const auto background = [this] { return client.last("scene")["scene"]["background"]; };
+  library.first_style = "brain";
+  open("head");
+  EXPECT_EQ(background(), style("brain").scene.at("background"));
+  scene({{"background", {{"colour", {0.5, 0.5, 0.5}}}}});
+  library.first_style = "angiography";
+  open("vessels");
+  EXPECT_EQ(background(), (Json{{"colour", {0.5, 0.5, 0.5}}}));
+  EXPECT_EQ(rendered().focus.shading.parameters.at("gamma"),
+            style("brain").scene.at(Json::json_pointer("/focus/shading/gamma")));
 }
 
 TEST_F(SessionVolumeTest, ShowsAPreparedVolumeOnceItIsReady) {
