@@ -1,7 +1,7 @@
 // Which scene a session begins with: the one it showed before, else the address', else the volume
-// best worth seeing in the first style. That is a file's where the server has files, so it waits for their
+// best worth seeing, in the style that the server finds to suit it. That is a file's where the server has files, so it waits for their
 // scan.
-import type { ErrorMessage, Scene } from '../protocol/messages.ts';
+import type { ErrorMessage } from '../protocol/messages.ts';
 import { bestVolume } from '../state/best_volume.ts';
 import { SceneAddressError, sceneFromAddress } from '../state/scene_address.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
@@ -84,13 +84,12 @@ export class SceneOpening {
   }
 
   private openDefault(): void {
-    const { capabilities, volumes, scanning, preferences } = this.store.state;
+    const { volumes, scanning, preferences } = this.store.state;
     const volume = bestVolume(volumes);
     const awaits_volume = scanning && volumes.every(({ format }) => format === 'phantom');
     this.store.update({ awaits_volume });
     if (!volume || awaits_volume) return;
     const slices = { convention: preferences.convention };
-    const scene: Scene = { ...capabilities?.styles[0]?.scene, volume: volume.id, slices };
-    this.link.replace(scene as JsonObject);
+    this.link.replace({ volume: volume.id, slices });
   }
 }

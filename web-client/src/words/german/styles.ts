@@ -19,37 +19,66 @@ export const styles: ServedWords['styles'] = {
   'anatomy-atlas': {
     title: 'Anatomieatlas',
     description:
-      'Gedruckte Tafel: elfenbeinfarbener Knochen mit Tuschelinien in weicher, rosiger Haut, auf Papier.',
+      'Für Handzettel und Druck: elfenbeinfarbener Knochen mit Tuschelinien in weicher, rosiger Haut, auf Papier.',
   },
   'bone-blueprint': {
     title: 'Knochen-Blaupause',
     description:
-      'Hell auf Dunkelblau gezeichnet: leuchtende Linien im Fokus, der Kontext hebt sich kaum vom Blatt.',
+      'Für die Form allein: helle Linien und blasser Knochen auf Dunkelblau, der Körper hebt sich kaum vom Blatt.',
   },
   flagship: {
     title: 'Flaggschiff',
     description:
-      'Fokus weich von Violett nach Orange mit dunklen Linien, Kontext in zwei ruhigen, flachen Tönen.',
+      'Für den ersten Blick auf jedes Volumen: Knochen von warm nach kalt mit Tiefenlinien, ruhige Haut in weichen Stufen, und eine Höhle, deren Wand das geschnittene Gewebe zeigt.',
   },
   gooch: {
     title: 'Gooch',
     description:
-      'Technische Illustration nach Gooch 1998: kühle blaue Schatten bis warmes gelbes Licht, über ' +
-      'einem ruhigen grauen Kontext.',
+      'Für technische Klarheit, nach Gooch 1998: kühle Schatten bis warmes Licht, über einem ruhigen grauen Kontext.',
   },
   'magic-lens': {
     title: 'Magische Linse',
     description:
-      'Das Flaggschiff unter einer magischen Linse: der ganze Fokus über den Kontext geblendet, weich ' +
-      'zum Rand hin.',
+      'Um ein Inneres ohne Schnitt zu zeigen: der ganze Fokus über die Haut geblendet, weich zum Rand hin.',
   },
   porcelain: {
     title: 'Porzellan',
-    description: 'Eine dunkelblaue Zeichnung in einer glatten, blassen Schale, auf Hellgrau.',
+    description:
+      'Für Folien: eine dunkelblaue Zeichnung in einer glatten, blassen Schale, auf Hellgrau.',
   },
   toon: {
     title: 'Comic',
-    description: 'Zwei flache Töne auf beiden Zweigen mit kräftigen dunklen Umrissen.',
+    description:
+      'Für kleine Bilder und Schilder: zwei flache Töne auf jedem Zweig mit kräftigen dunklen Umrissen.',
+  },
+  section: {
+    title: 'Schnitt',
+    description:
+      'Um Gewebe zu lernen: der Schnitt zeigt Fett, Muskel, Organ und Knochen in ihren Farben, auf weißem Papier.',
+  },
+  brain: {
+    title: 'Gehirn',
+    description:
+      'Für MR: Flächen in Rosa und Violett mit tiefem, weichem Schatten in den Falten, in einem stillen grauen Kopf.',
+  },
+  angiography: {
+    title: 'Angiographie',
+    description:
+      'Für Gefäße unter Kontrastmittel: leuchtendes Rot vor blassem Grau, sodass sich Äste verfolgen lassen.',
+  },
+  night: {
+    title: 'Nacht',
+    description: 'Für den Beamer im dunklen Saal: leuchtender Knochen in einem tiefblauen Körper.',
+  },
+  dissertation: {
+    title: 'Dissertation',
+    description:
+      'Die Einstellung im Wortlaut: Fokus weich von Violett nach Orange unter Sobel-Linien, Kontext in zwei flachen Tönen unter Kuwahara.',
+  },
+  isoluminant: {
+    title: 'Warm und kalt, gleich hell',
+    description:
+      'Der Fokus allein am Farbton zu erkennen: warme und kalte Töne einer Leuchtdichte, ohne Linien.',
   },
   cutaway: {
     title: 'Ausschnitt allein',
