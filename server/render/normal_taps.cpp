@@ -18,8 +18,9 @@ constexpr double kFocusShare = 0.5;
 /// Along an axis the Gaussian is at least so many voxels wide, or its samples would not form one.
 constexpr double kLeastVoxels = 0.8;
 
-/// A copy serves a Gaussian from so many of its texels on.
-constexpr double kLeastTexels = 0.6;
+/// A copy serves a Gaussian from so many of its texels on. With fewer the kinks between texels show
+/// as grain on smooth skin.
+constexpr double kLeastTexels = 0.75;
 
 /// Directions in a shell around the point, one of each pair, and its radius in standard deviations.
 struct Shell {
