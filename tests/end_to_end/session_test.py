@@ -112,10 +112,26 @@ class FlowTest(ServedTest):
 
     def test_one_refined_frame_after_rest_and_then_silence(self):
         client = self.showing()
+        client.scene({"context": {"shadow": {"strength": 0}, "occlusion": {"strength": 0}},
+                      "focus": {"shadow": {"strength": 0}, "occlusion": {"strength": 0}}})
         last = self.turn(client, 5)
         still = client.frame(last, still=True)
         self.assertEqual((still.width_px, still.height_px), (320, 240))
-        self.assertIsNone(client.receive(SILENCE_S))
+        self.assert_silent(client)
+
+    def test_what_takes_longer_comes_in_one_still_more(self):
+        client = self.showing()
+        still = client.frame(self.turn(client, 5), still=True)
+        finished = client.receive(SILENCE_S)
+        if finished is None:
+            self.skipTest("the machine is fast enough to have it in the first still")
+        self.assertEqual((finished.still, finished.revision), (True, still.revision))
+        self.assertNotEqual(finished.data, still.data)
+        self.assert_silent(client)
+
+    def assert_silent(self, client):
+        picture = client.receive(SILENCE_S)
+        self.assertTrue(picture is None, "a picture came")
 
     def test_a_frame_shows_other_pixels_after_another_camera(self):
         client = self.showing()
