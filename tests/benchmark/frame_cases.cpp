@@ -25,8 +25,41 @@ Json control_scene() {
   return control;
 }
 
-Json flagship_scene() {
-  return with_filters(style("flagship").scene, Json::array({kSobel}), Json::array({kKuwahara}));
+Json dissertation_scene() {
+  return with_filters(style("dissertation").scene, Json::array({kSobel}), Json::array({kKuwahara}));
+}
+
+/// What the control draws with one more part of a picture's light or lens.
+struct Addition {
+  const char* name;
+  Json scene;
+};
+
+std::vector<Addition> additions() {
+  const Json cut = {{"mode", "cutaway"}};
+  Json funnel = cut;
+  funnel["opening"] = "funnel";
+  Json wall = cut;
+  wall["wall"] = {{"strength", 0.6}, {"deepening", 0.5}, {"edge_mm", 2.5}};
+  Json section = cut;
+  section["cap"] = "section";
+  return {{"ramp", {{"context", {{"shading", {{"name", "ramp"}}}}}}},
+          {"normals at a scale", {{"context", {{"normals", {{"scale", "auto"}}}}}}},
+          {"occlusion", {{"context", {{"occlusion", {{"strength", 0.8}}}}}}},
+          {"shadow", {{"context", {{"shadow", {{"strength", 0.5}}}}}}},
+          {"funnel", {{"lens", funnel}}},
+          {"wall", {{"lens", wall}}},
+          {"section", {{"lens", section}}}};
+}
+
+void add_additions(std::vector<FrameCase>& cases) {
+  for (const Addition& addition : additions()) {
+    Json scene = control_scene();
+    if (addition.scene.contains("context") && addition.scene["context"].contains("shading"))
+      scene["context"]["shading"] = Json::object();
+    scene.merge_patch(addition.scene);
+    cases.push_back({std::string(addition.name) + " alone", std::move(scene)});
+  }
 }
 
 void add_lenses(std::vector<FrameCase>& cases) {
@@ -58,19 +91,21 @@ void add_translucent(std::vector<FrameCase>& cases) {
 
 }  // namespace
 
-FrameCase flagship_case() { return {"lens + both", flagship_scene()}; }
+FrameCase flagship_case() { return {"flagship", style("flagship").scene}; }
 
 std::vector<FrameCase> frame_cases() {
   const Json none = Json::array();
-  const Json flagship = flagship_scene();
+  const Json both = dissertation_scene();
   std::vector<FrameCase> cases = {
       {"Phong, no lens", control_scene()},
-      {"lens", with_filters(flagship, none, none)},
-      {"lens + Kuwahara", with_filters(flagship, none, Json::array({kKuwahara}))},
-      {"lens + Sobel", with_filters(flagship, Json::array({kSobel}), none)},
+      {"lens", with_filters(both, none, none)},
+      {"lens + Kuwahara", with_filters(both, none, Json::array({kKuwahara}))},
+      {"lens + Sobel", with_filters(both, Json::array({kSobel}), none)},
+      {"lens + both", both},
       flagship_case()};
   add_lenses(cases);
   add_filters(cases);
+  add_additions(cases);
   add_translucent(cases);
   return cases;
 }

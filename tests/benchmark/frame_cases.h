@@ -1,5 +1,5 @@
-// What is measured: the control and the flagship, the dissertation's configurations between them
-// (techniques: its table 5.3), and each lens, filter and translucent material alone.
+// What is measured: the control, the dissertation's configurations (its table 5.3), the flagship,
+// and each lens, filter, part of light and translucent material alone.
 #pragma once
 
 #include <string>
@@ -16,12 +16,12 @@ struct FrameCase {
   bool has_no_lens() const { return scene["lens"]["mode"] == "none"; }
 };
 
-/// The first five differ from each other by the flagship's parts. Those whose name ends in "alone"
-/// are the control, which is the first, and one thing more: each lens shape in each mode, each
-/// filter of the registry over the whole picture, at its defaults.
+/// The first five differ from each other by the parts of the dissertation's style. Those whose name
+/// ends in "alone" are the control, which is the first, and one thing more: each lens shape in each
+/// mode, each filter of the registry over the whole picture, at its defaults, and the like.
 std::vector<FrameCase> frame_cases();
 
-/// The case "lens + both".
+/// The style as it is.
 FrameCase flagship_case();
 
 }  // namespace cutaway::benchmark

@@ -59,7 +59,8 @@ Picture picture_of(Viewport size, std::vector<PixelPlane> planes) {
 }
 
 RenderSettings interactive_settings(Viewport size, PixelLayout layout = kLayout) {
-  return {.picture_size_px = {size.width_px, size.height_px}, .layout = layout};
+  return {
+      .picture_size_px = {size.width_px, size.height_px}, .light = kQuickLight, .layout = layout};
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
-CONTROL, FLAGSHIP = "Phong, no lens", "lens + both"
+CONTROL, FLAGSHIP = "Phong, no lens", "flagship"
 FRAMES = {"fixed point": 12, "GPU composite": 3, "GPU iso-surface": 3}
 
 
