@@ -30,7 +30,7 @@ struct LightQuality {
 };
 inline constexpr int kMostLightDirections = 64;
 inline constexpr LightQuality kNoLight{0, 0, 0, 0};
-inline constexpr LightQuality kQuickLight{4, 8, 1, 12};
+inline constexpr LightQuality kQuickLight{2, 6, 1, 8};
 inline constexpr LightQuality kFullLight;
 
 struct RenderSettings {
