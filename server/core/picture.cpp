@@ -63,6 +63,13 @@ Picture::Picture(PixelLayout layout, glm::ivec2 size_px, std::vector<PixelPlane>
         fmt::format("these are not the planes of {} x {} pixels", size_px.x, size_px.y));
 }
 
+Picture& Picture::operator=(Picture&& other) noexcept {
+  layout_ = other.layout_;
+  size_px_ = std::exchange(other.size_px_, glm::ivec2(0));
+  planes_ = std::exchange(other.planes_, {});
+  return *this;
+}
+
 std::size_t Picture::bytes() const {
   return std::accumulate(
       planes_.begin(), planes_.end(), std::size_t{0},

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/pixel_plane.h"
@@ -22,7 +23,8 @@ struct PlaneShape {
 /// In their order.
 std::vector<PlaneShape> plane_shapes(PixelLayout layout, glm::ivec2 size_px);
 
-/// Its planes are always those of its layout and size. Throws as PixelPlane does.
+/// Its planes are always those of its layout and size; what was moved from has neither pixels nor
+/// planes, as one that was made without a size. Throws as PixelPlane does.
 class Picture {
  public:
   Picture() = default;
@@ -30,6 +32,11 @@ class Picture {
   Picture(PixelLayout layout, glm::ivec2 size_px);
   /// `planes` are those of plane_shapes.
   Picture(PixelLayout layout, glm::ivec2 size_px, std::vector<PixelPlane> planes);
+  Picture(const Picture&) = default;
+  Picture& operator=(const Picture&) = default;
+  Picture(Picture&& other) noexcept { *this = std::move(other); }
+  Picture& operator=(Picture&& other) noexcept;
+  ~Picture() = default;
 
   PixelLayout layout() const { return layout_; }
   glm::ivec2 size_px() const { return size_px_; }

@@ -48,6 +48,13 @@ PixelPlane::PixelPlane(glm::ivec2 size_px, int bytes_per_pixel,
   bytes_.assign(packed.begin(), packed.end());
 }
 
+PixelPlane& PixelPlane::operator=(PixelPlane&& other) noexcept {
+  size_px_ = std::exchange(other.size_px_, glm::ivec2(0));
+  bytes_per_pixel_ = other.bytes_per_pixel_;
+  bytes_ = std::exchange(other.bytes_, {});
+  return *this;
+}
+
 std::span<const std::uint8_t> PixelPlane::row(int y) const {
   require_within({{0, y}, {size_px_.x, y + 1}}, size_px_, "plane");
   return std::span(bytes_).subspan(stride_bytes() * std::size_t(y), stride_bytes());

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/pixel_rect.h"
@@ -11,7 +12,7 @@
 namespace cutaway {
 
 /// Rows top first. What does not fit throws std::out_of_range, in every build: it ends the picture
-/// at hand, and nothing is read or written beside one.
+/// at hand, and nothing is read or written beside one. What was moved from has no pixels.
 class PixelPlane {
  public:
   PixelPlane() = default;
@@ -19,6 +20,11 @@ class PixelPlane {
   PixelPlane(glm::ivec2 size_px, int bytes_per_pixel);
   /// Of tightly packed rows: exactly as many bytes as the pixels take.
   PixelPlane(glm::ivec2 size_px, int bytes_per_pixel, std::span<const std::uint8_t> packed);
+  PixelPlane(const PixelPlane&) = default;
+  PixelPlane& operator=(const PixelPlane&) = default;
+  PixelPlane(PixelPlane&& other) noexcept { *this = std::move(other); }
+  PixelPlane& operator=(PixelPlane&& other) noexcept;
+  ~PixelPlane() = default;
 
   glm::ivec2 size_px() const { return size_px_; }
   int bytes_per_pixel() const { return bytes_per_pixel_; }

@@ -1,8 +1,10 @@
 // Textures with immutable storage.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 
 #include "gl/handle.h"
 
@@ -30,6 +32,7 @@ class Texture2D {
   GLenum internal_format_ = 0;
 };
 
+/// Its format is one of GL's sized internal formats.
 class Texture3D {
  public:
   Texture3D() = default;
@@ -38,12 +41,15 @@ class Texture3D {
   GLuint name() const { return handle_.name(); }
   glm::ivec3 size_texels() const { return size_texels_; }
 
-  /// Slices [first, first+count) from tightly packed memory.
-  void upload_slices(int first, int count, GLenum format, GLenum type, const void* data);
+  /// Slices [first, first+count) of `whole`: all texels as the texture's format has them, tightly
+  /// packed. Throws std::out_of_range, in every build, where `whole` is of another size or has no
+  /// such slices: nothing beside it is read.
+  void upload_slices(int first, int count, std::span<const std::byte> whole);
 
  private:
   TextureHandle handle_;
   glm::ivec3 size_texels_{0};
+  GLenum internal_format_ = 0;
 };
 
 }  // namespace cutaway::gl

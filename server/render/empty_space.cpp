@@ -1,6 +1,7 @@
 #include "render/empty_space.h"
 
 #include <algorithm>
+#include <span>
 
 #include "volume/brick_faces.h"
 
@@ -18,7 +19,7 @@ gl::Texture3D distance_texture(glm::ivec3 size, const std::vector<std::uint8_t>&
     both[2 * i + 1] = focus[i];
   }
   gl::Texture3D texture(GL_RG8UI, size, gl::Filtering::nearest);
-  texture.upload_slices(0, size.z, GL_RG_INTEGER, GL_UNSIGNED_BYTE, both.data());
+  texture.upload_slices(0, size.z, std::as_bytes(std::span(both)));
   return texture;
 }
 

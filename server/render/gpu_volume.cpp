@@ -1,6 +1,7 @@
 #include "render/gpu_volume.h"
 
 #include <algorithm>
+#include <span>
 
 #include "core/error.h"
 #include "gl/device_memory.h"
@@ -15,19 +16,12 @@ constexpr float kNoUpperLimit = 3e38F;
 
 constexpr std::size_t kSlabBytes = std::size_t{8} << 20;
 
-struct VoxelFormat {
-  GLenum internal_format;
-  GLenum type;
-  std::size_t bytes;
-  const std::uint8_t* data;
-};
+GLenum internal_format(const Voxels& voxels) {
+  return std::holds_alternative<std::vector<float>>(voxels) ? GL_R32F : GL_R16;
+}
 
-VoxelFormat voxel_format(const Voxels& voxels) {
-  if (const auto* stored = std::get_if<std::vector<std::uint16_t>>(&voxels)) {
-    return {GL_R16, GL_UNSIGNED_SHORT, 2, reinterpret_cast<const std::uint8_t*>(stored->data())};
-  }
-  const auto& floats = std::get<std::vector<float>>(voxels);
-  return {GL_R32F, GL_FLOAT, 4, reinterpret_cast<const std::uint8_t*>(floats.data())};
+std::span<const std::byte> bytes_of(const Voxels& voxels) {
+  return std::visit([](const auto& values) { return std::as_bytes(std::span(values)); }, voxels);
 }
 
 // A device says so once, at the call that it could not serve.
@@ -44,7 +38,7 @@ GpuVolume::GpuVolume(std::shared_ptr<const LoadedVolume> loaded, int max_texture
     : loaded_(std::move(loaded)), tissues_(tissue_ramp(*loaded_)) {
   const glm::ivec3 size = volume().geometry.size_voxels;
   check_texture_limit(size, max_texture_size);
-  if (voxel_format(volume().voxels).type == GL_UNSIGNED_SHORT) stored_scale_ = 1.0 / 65535.0;
+  if (internal_format(volume().voxels) == GL_R16) stored_scale_ = 1.0 / 65535.0;
   glGetError();  // what went wrong before is not this volume's
   add_level(volume().voxels, glm::ivec3(1), size);
   for (const CoarseLevel& level : loaded_->pyramid)
@@ -53,9 +47,8 @@ GpuVolume::GpuVolume(std::shared_ptr<const LoadedVolume> loaded, int max_texture
 }
 
 void GpuVolume::add_level(const Voxels& voxels, glm::ivec3 factor, glm::ivec3 size_voxels) {
-  levels_.push_back(
-      {&voxels, factor,
-       gl::Texture3D(voxel_format(voxels).internal_format, size_voxels, gl::Filtering::linear)});
+  levels_.push_back({&voxels, factor,
+                     gl::Texture3D(internal_format(voxels), size_voxels, gl::Filtering::linear)});
 }
 
 std::uint64_t GpuVolume::texture_bytes(const LoadedVolume& loaded) {
@@ -71,12 +64,11 @@ void GpuVolume::upload_slab() {
 std::size_t GpuVolume::upload_slices(std::size_t most_bytes) {
   Level& level = levels_.at(uploading_);
   const glm::ivec3 size = level.texture.size_texels();
-  const VoxelFormat format = voxel_format(*level.voxels);
-  const std::size_t slice_bytes = format.bytes * static_cast<std::size_t>(size.x) * size.y;
+  const std::span<const std::byte> bytes = bytes_of(*level.voxels);
+  const std::size_t slice_bytes = std::max<std::size_t>(1, bytes.size() / size.z);
   const int slab = std::max(1, static_cast<int>(most_bytes / slice_bytes));
   const int count = std::min(slab, size.z - uploaded_slices_);
-  level.texture.upload_slices(uploaded_slices_, count, GL_RED, format.type,
-                              format.data + slice_bytes * uploaded_slices_);
+  level.texture.upload_slices(uploaded_slices_, count, bytes);
   check_device_memory();
   uploaded_slices_ += count;
   if (uploaded_slices_ == size.z) {

@@ -88,6 +88,29 @@ TEST(PixelPlane, HasNoRowBesideIt) {
   EXPECT_THROW(plane.row(-1), std::out_of_range);
 }
 
+// Else its size would promise bytes that another plane has now.
+TEST(PixelPlane, HasNoPixelsOnceItIsMovedFrom) {
+  PixelPlane made = numbered({4, 3}, 1);
+  const PixelPlane taken = std::move(made);
+  EXPECT_EQ(taken, numbered({4, 3}, 1));
+  EXPECT_EQ(made.size_px(), glm::ivec2(0));  // NOLINT(bugprone-use-after-move): it is the question
+  EXPECT_THROW(made.row(0), std::out_of_range);
+  PixelPlane target({4, 3}, 1);
+  EXPECT_THROW(target.copy(made, {{0, 0}, {1, 1}}, {0, 0}), std::out_of_range);
+  made = PixelPlane({2, 2}, 1);
+  made = PixelPlane({1, 1}, 4);
+  EXPECT_EQ(made, PixelPlane({1, 1}, 4));
+}
+
+TEST(Picture, HasNoPixelsOnceItIsMovedFrom) {
+  Picture made = numbered(PixelLayout::yuv420, {8, 8});
+  const Picture taken = std::move(made);
+  EXPECT_EQ(taken, numbered(PixelLayout::yuv420, {8, 8}));
+  EXPECT_EQ(made.size_px(), glm::ivec2(0));  // NOLINT(bugprone-use-after-move): it is the question
+  Picture target(PixelLayout::yuv420, {8, 8});
+  EXPECT_THROW(target.copy(made, {{0, 0}, {2, 2}}, {0, 0}), std::out_of_range);
+}
+
 TEST(Picture, TakesThePlanesOfItsLayoutAlone) {
   const glm::ivec2 size_px(5, 3);
   EXPECT_THROW(Picture(PixelLayout::rgba, size_px, {numbered(size_px, 1)}), std::out_of_range);
