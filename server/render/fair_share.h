@@ -18,6 +18,7 @@ class FairShare {
   /// `who` was served at this cost.
   void charge(std::uint64_t who, std::int64_t cost) { used_[who] += cost; }
   void forget(std::uint64_t who) { used_.erase(who); }
+  bool knows_nobody() const { return used_.empty(); }
 
  private:
   std::map<std::uint64_t, std::int64_t> used_;

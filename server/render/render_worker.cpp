@@ -44,9 +44,9 @@ RenderWorker::RenderWorker(const gl::Context& context, const RenderLimits& limit
       volumes_(context.max_3d_texture_size(), limits.volume_bytes) {}
 
 bool RenderWorker::draw_some(JobQueue<RenderJob>& queue) {
-  const std::vector<Waiting> waiting = views_that_wait(queue);
+  const std::vector<ShareOfView> waiting = views_that_wait(queue);
   if (waiting.empty()) return false;
-  const std::uint64_t view = next_view(waiting);
+  const std::uint64_t view = turns_.next(waiting);
   Place drawing = find(view);
   if (drawing != drawing_.end() && drawing->request().yields && queue.has(view)) {
     end(drawing, RenderReplaced{});
@@ -64,35 +64,15 @@ bool RenderWorker::draw_some(JobQueue<RenderJob>& queue) {
 
 // Frames that were begun come first: among views that have had equally much they are finished in
 // that order. Where they take up the views' memory, no other is begun before one is finished.
-std::vector<RenderWorker::Waiting> RenderWorker::views_that_wait(
-    const JobQueue<RenderJob>& queue) const {
-  std::vector<Waiting> views;
-  for (const Drawing& drawing : drawing_)
-    views.push_back({drawing.view(), drawing.request().share});
+std::vector<ShareOfView> RenderWorker::views_that_wait(const JobQueue<RenderJob>& queue) const {
+  std::vector<ShareOfView> views;
+  for (const Drawing& drawing : drawing_) views.push_back(drawing.who());
   if (!drawing_.empty() && !views_.has_room()) return views;
   queue.for_each([&views](const RenderJob& job) {
-    if (std::ranges::find(views, job.view(), &Waiting::view) == views.end())
+    if (std::ranges::find(views, job.view(), &ShareOfView::view) == views.end())
       views.push_back({job.view(), job.request.share});
   });
   return views;
-}
-
-// First the session, then the view: who has four pictures gets no more than who has one.
-std::uint64_t RenderWorker::next_view(const std::vector<Waiting>& waiting) {
-  std::vector<std::uint64_t> numbers;
-  numbers.reserve(waiting.size());
-  for (const Waiting& each : waiting) numbers.push_back(each.share);
-  const std::uint64_t share = shares_.next(numbers);
-  numbers.clear();
-  for (const Waiting& each : waiting) {
-    if (each.share == share) numbers.push_back(each.view);
-  }
-  return turns_.next(numbers);
-}
-
-void RenderWorker::charge(const RenderRequest& request, std::int64_t cost) {
-  shares_.charge(request.share, cost);
-  turns_.charge(request.view, cost);
 }
 
 RenderWorker::Place RenderWorker::find(std::uint64_t view) {
@@ -140,7 +120,7 @@ void RenderWorker::step(Place drawing) {
   const Commission& commission = *drawing->commission;
   try {
     check_device();
-    if (!commission.is_ended) charge(drawing->request(), drawing->plan.advance(step_cost_));
+    if (!commission.is_ended) turns_.charge(drawing->who(), drawing->plan.advance(step_cost_));
     keep_pace();
     if (!commission.is_ended && !drawing->plan.is_done()) return;
     if (!commission.is_ended) read_back(*drawing);
@@ -196,7 +176,6 @@ void RenderWorker::release(std::uint64_t view) {
   views_.drop(view);
   volumes_.forget(view);
   turns_.forget(view);
-  shares_.forget(view);  // a session's share goes by the name of its first view
 }
 
 void RenderWorker::give_up() {

@@ -8,11 +8,11 @@
 
 #include "gl/fence.h"
 #include "render/device_volumes.h"
-#include "render/fair_share.h"
 #include "render/frame_pipeline.h"
 #include "render/picture_parts.h"
 #include "render/render_thread.h"
 #include "render/view_cache.h"
+#include "render/view_turns.h"
 
 namespace cutaway {
 
@@ -65,6 +65,7 @@ class RenderWorker {
 
     std::uint64_t view() const { return commission->job.view(); }
     const RenderRequest& request() const { return commission->job.request; }
+    ShareOfView who() const { return {view(), request().share}; }
   };
   struct Pending {
     std::shared_ptr<Commission> commission;
@@ -73,15 +74,7 @@ class RenderWorker {
   };
   using Place = std::list<Drawing>::iterator;
 
-  /// A view that waits for the device, and the share that it counts to.
-  struct Waiting {
-    std::uint64_t view;
-    std::uint64_t share;
-  };
-
-  std::vector<Waiting> views_that_wait(const JobQueue<RenderJob>& queue) const;
-  std::uint64_t next_view(const std::vector<Waiting>& waiting);
-  void charge(const RenderRequest& request, std::int64_t cost);
+  std::vector<ShareOfView> views_that_wait(const JobQueue<RenderJob>& queue) const;
   Place find(std::uint64_t view);
   void release(std::uint64_t view);
   bool begin(RenderJob job);
@@ -105,8 +98,7 @@ class RenderWorker {
   FramePipeline pipeline_;
   ViewCache views_;
   DeviceVolumes volumes_;
-  FairShare shares_;               ///< of sessions
-  FairShare turns_;                ///< of views, among those of a session
+  ViewTurns turns_;
   std::list<Drawing> drawing_;     ///< one a view, in the order in which they were begun
   std::deque<gl::Fence> steps_;    ///< that the device has not come to, oldest first
   std::deque<Pending> pending_;    ///< oldest first
