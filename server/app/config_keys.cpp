@@ -35,6 +35,12 @@ Kind plain(Field field) {
   return {[field](Config& config, const auto& value) { field(config) = value; }};
 }
 
+// A client has one rate, whether it has a session or waits for one.
+void set_message_rate(Config& config, double MessageRate::*part, double value) {
+  config.session.messages.*part = value;
+  config.net.messages.*part = value;
+}
+
 void set_log_level(Config& config, const std::string& level) {
   constexpr std::array kLevels = {"trace", "debug", "info", "warning", "error", "off"};
   if (std::ranges::find(kLevels, level) == kLevels.end()) {
@@ -166,9 +172,10 @@ std::vector<ConfigKey> session_keys() {
            0, std::int64_t{kLargestSide_px} * kLargestSide_px,
            [](Config & c) -> auto& { return c.session.viewport_pixels; })},
       {"session", "messages_per_second",
-       NumberKey{1, 1e6, [](Config& c, double v) { c.session.messages_per_second = v; }}},
+       NumberKey{1, 1e6,
+                 [](Config& c, double v) { set_message_rate(c, &MessageRate::per_second, v); }}},
       {"session", "message_burst",
-       NumberKey{1, 1e6, [](Config& c, double v) { c.session.message_burst = v; }}},
+       NumberKey{1, 1e6, [](Config& c, double v) { set_message_rate(c, &MessageRate::burst, v); }}},
       {"session", "lens_search_messages",
        NumberKey{0, 1e6, [](Config& c, double v) { c.session.lens_search_messages = v; }}},
   };

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "session/token_bucket.h"
+
 namespace cutaway {
 
 struct NetSettings {
@@ -22,6 +24,7 @@ struct NetSettings {
   std::size_t message_bytes = std::size_t{64} * 1024;         ///< one text message from a client
   std::size_t dropped_message_bytes = std::size_t{16} << 20;  ///< a longer one ends the connection
   std::size_t queued_text_bytes = std::size_t{4} * 1024 * 1024;  ///< waiting for a client to read
+  MessageRate messages;       ///< of a client that waits for a session, as of one that has one
   int send_buffer_bytes = 0;  ///< the kernel's, of one connection; 0: as the kernel chooses
   std::chrono::milliseconds request_timeout{10'000};  ///< until a request has arrived whole
   std::chrono::milliseconds idle_timeout{30'000};     ///< WebSocket: without a word or a pong

@@ -81,6 +81,7 @@ WebSocket::WebSocket(beast::tcp_stream&& stream, const AsioStrand::Executor& str
       something_to_write_(strand, asio::steady_timer::time_point::max()),
       write_deadline_(strand),
       breather_(strand),
+      unheard_(settings.messages, std::chrono::steady_clock::now()),
       peer_(std::move(peer)),
       name_(fmt::format("session {} of {}", peer_.number, peer_.address.text)) {}
 
@@ -223,8 +224,7 @@ asio::awaitable<bool> WebSocket::read_message() {
 }
 
 Session::Reception WebSocket::deliver() {
-  // It waits for a seat, or has failed and the closing handshake goes on.
-  if (!session_) return Session::Reception::taken;
+  if (!session_) return pass_over();
   try {
     const Session::Reception reception = hand_to_session();
     if (ticket_) ticket_->heard(session_->page_visible(), std::chrono::steady_clock::now());
@@ -233,6 +233,12 @@ Session::Reception WebSocket::deliver() {
     fail(failure.what());
     return Session::Reception::taken;
   }
+}
+
+// It waits for a seat, or has failed and the closing handshake goes on.
+Session::Reception WebSocket::pass_over() {
+  return unheard_.take(std::chrono::steady_clock::now()) ? Session::Reception::taken
+                                                         : Session::Reception::too_fast;
 }
 
 Session::Reception WebSocket::hand_to_session() {

@@ -18,6 +18,7 @@
 #include "net/out_queue.h"
 #include "net/settings.h"
 #include "session/session.h"
+#include "session/token_bucket.h"
 
 namespace cutaway {
 
@@ -75,6 +76,7 @@ class WebSocket final : public ClientSink, public std::enable_shared_from_this<W
   boost::asio::awaitable<void> wait_for_messages();
   boost::asio::awaitable<void> take_breath();
   Session::Reception deliver();
+  Session::Reception pass_over();
   Session::Reception hand_to_session();
   bool takes_words() const { return !closing_ && !ended_ && !last_words_; }
   void was_put(bool put);
@@ -95,6 +97,7 @@ class WebSocket final : public ClientSink, public std::enable_shared_from_this<W
   boost::asio::steady_timer something_to_write_;
   boost::asio::steady_timer write_deadline_;
   boost::asio::steady_timer breather_;
+  TokenBucket unheard_;  ///< messages that come while there is no session to hear them
   Peer peer_;
   std::string name_;  ///< in the log
   std::unique_ptr<Admission::Ticket> ticket_;

@@ -34,8 +34,8 @@ const Json& for_one_picture(const Json& patch) {
 Session::Session(SessionWiring wiring, const SessionSettings& settings)
     : wiring_(std::move(wiring)),
       settings_(settings),
-      message_rate_(settings.messages_per_second, settings.message_burst, wiring_.strand->now()),
-      refusal_rate_(kRefusalsPerSecond, 1.0, wiring_.strand->now()),
+      message_rate_(settings.messages, wiring_.strand->now()),
+      refusal_rate_({.per_second = kRefusalsPerSecond, .burst = 1.0}, wiring_.strand->now()),
       stills_(wiring_.strand, wiring_.frames, wiring_.client, render_view(wiring_.still_view),
               [this](std::uint32_t request, const Error& error) {
                 refuse(error, {.input = {}, .request = request});
@@ -137,14 +137,14 @@ void Session::pay_for_lens_searches() {
   const double cost = settings_.lens_search_messages;
   message_rate_.charge(now, state_.take_lens_searches() * cost);
   message_rate_.charge_above(now, lenses_of_pictures_.take_searches() * cost,
-                             settings_.message_burst / 2.0);
+                             settings_.messages.burst / 2.0);
 }
 
 Session::Reception Session::refuse_too_fast() {
   if (refusal_rate_.take(wiring_.strand->now())) {
     refuse(Error({.code = ErrorCode::rate_limited,
                   .message = "messages come too fast; some were not heeded",
-                  .expected = fmt::format("{} a second", settings_.messages_per_second)}),
+                  .expected = fmt::format("{} a second", settings_.messages.per_second)}),
            {});
   }
   return Reception::too_fast;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "session/strand.h"
+#include "session/token_bucket.h"
 
 namespace cutaway {
 
@@ -21,8 +22,7 @@ struct SessionSettings {
   int still_side_px = 8192;             ///< of a saved still
   int viewport_side_px = 4096;
   std::int64_t viewport_pixels = std::int64_t{4096} * 2304;
-  double messages_per_second = 300.0;
-  double message_burst = 600.0;
+  MessageRate messages;
   /// Messages that looking for a lens' place counts for: the others wait for as long as it takes,
   /// some 50 ms for a large CT.
   double lens_search_messages = 200.0;

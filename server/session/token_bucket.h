@@ -7,10 +7,17 @@
 
 namespace cutaway {
 
+/// How many messages a client may send.
+struct MessageRate {
+  double per_second = 300.0;  ///< on average
+  double burst = 600.0;       ///< that it may have saved up
+  bool operator==(const MessageRate&) const = default;
+};
+
 class TokenBucket {
  public:
-  TokenBucket(double per_second, double burst, TimePoint now)
-      : per_second_(per_second), burst_(burst), tokens_(burst), filled_at_(now) {}
+  TokenBucket(const MessageRate& rate, TimePoint now)
+      : rate_(rate), tokens_(rate.burst), filled_at_(now) {}
 
   /// False where the rate is exceeded.
   bool take(TimePoint now) {
@@ -35,12 +42,11 @@ class TokenBucket {
  private:
   void fill(TimePoint now) {
     const double seconds = std::chrono::duration<double>(now - filled_at_).count();
-    tokens_ = std::min(burst_, tokens_ + (seconds * per_second_));
+    tokens_ = std::min(rate_.burst, tokens_ + (seconds * rate_.per_second));
     filled_at_ = now;
   }
 
-  double per_second_;
-  double burst_;
+  MessageRate rate_;
   double tokens_;
   TimePoint filled_at_;
 };

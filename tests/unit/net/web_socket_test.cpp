@@ -212,6 +212,26 @@ TEST(WebSocket, WhoFindsNoSeatIsToldItsPlaceAndServedInItsTurn) {
   EXPECT_TRUE(third.read_frame().has_value());
 }
 
+// What is read of it nobody hears; what is not is left for the session, which tells them apart.
+TEST(WebSocket, WhoWaitsForASeatIsReadNoFasterThanWhoHasOne) {
+  NetSettings settings = testing::test_settings();
+  settings.sessions = 1;
+  settings.messages = {.per_second = 1.0, .burst = 10.0};
+  SessionSettings session;
+  session.messages = {.per_second = 1e6, .burst = 1e6};
+  TestServer server(settings, session);
+  auto first = std::make_unique<SocketClient>(server.port());
+  first->show_ball();
+  SocketClient waiting(server.port());
+  EXPECT_EQ(std::get<Json>(waiting.read().value())["place"], 1);
+  for (int i = 0; i < 500; ++i) waiting.send({{"type", "flood"}});
+  for (int i = 0; i < 20; ++i) expect_undisturbed(*first, i + 5.0);
+  first.reset();
+  waiting.read_until("capabilities");
+  waiting.send_text("no JSON");
+  EXPECT_EQ(waiting.read_until("error")["code"], "unknown-message");
+}
+
 TEST(WebSocket, AClientThatNeverAcknowledgesGetsTwoFramesAndDisturbsNobody) {
   TestServer server;
   SocketClient deaf(server.port());
@@ -237,8 +257,7 @@ TEST(WebSocket, AClientThatFloodsWithoutReadingIsDroppedAndDisturbsNobody) {
   settings.send_buffer_bytes = 16 * 1024;
   settings.write_timeout = milliseconds(300);
   SessionSettings session;
-  session.messages_per_second = 1e6;
-  session.message_burst = 1e6;
+  session.messages = {.per_second = 1e6, .burst = 1e6};
   TestServer server(settings, session);
   RawClient rude(server.port(), 4096);
   rude.upgrade();
@@ -300,8 +319,7 @@ TEST(WebSocket, FiftyThatSayNothingAreDroppedAfterTheIdleTime) {
 
 TEST(WebSocket, TooManyMessagesAreRefusedNotTheClient) {
   SessionSettings session;
-  session.messages_per_second = 5.0;
-  session.message_burst = 10.0;
+  session.messages = {.per_second = 5.0, .burst = 10.0};
   TestServer server(testing::test_settings(), session);
   SocketClient client(server.port());
   for (int i = 0; i < 40; ++i) client.send({{"type", "cancel_load"}});

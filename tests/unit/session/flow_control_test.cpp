@@ -28,7 +28,7 @@ TEST(CreditsDeath, CannotBeReturnedTwice) {
 }
 
 TEST(TokenBucket, AllowsABurstThenTheRate) {
-  TokenBucket bucket(10.0, 3.0, kStart);
+  TokenBucket bucket({.per_second = 10.0, .burst = 3.0}, kStart);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(bucket.take(kStart));
   EXPECT_FALSE(bucket.take(kStart));
   EXPECT_FALSE(bucket.take(kStart + milliseconds(99)));
@@ -37,21 +37,21 @@ TEST(TokenBucket, AllowsABurstThenTheRate) {
 }
 
 TEST(TokenBucket, SavesNoMoreThanTheBurst) {
-  TokenBucket bucket(10.0, 3.0, kStart);
+  TokenBucket bucket({.per_second = 10.0, .burst = 3.0}, kStart);
   const TimePoint later = kStart + std::chrono::hours(1);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(bucket.take(later));
   EXPECT_FALSE(bucket.take(later));
 }
 
 TEST(TokenBucket, IsPaidBackWhereItWasCharged) {
-  TokenBucket bucket(10.0, 3.0, kStart);
+  TokenBucket bucket({.per_second = 10.0, .burst = 3.0}, kStart);
   bucket.charge(kStart, 5.0);
   EXPECT_FALSE(bucket.take(kStart + milliseconds(250)));
   EXPECT_TRUE(bucket.take(kStart + milliseconds(301)));
 }
 
 TEST(TokenBucket, LeavesWhatIsToBeLeft) {
-  TokenBucket bucket(10.0, 4.0, kStart);
+  TokenBucket bucket({.per_second = 10.0, .burst = 4.0}, kStart);
   bucket.charge_above(kStart, 100.0, 2.0);
   EXPECT_TRUE(bucket.take(kStart));
   bucket.charge_above(kStart, 100.0, 2.0);  // there is less already, which stays

@@ -7,8 +7,7 @@ namespace {
 class SessionRateTest : public testing::SessionFixture {
  protected:
   SessionRateTest() {
-    settings.messages_per_second = 10.0;
-    settings.message_burst = 20.0;
+    settings.messages = {.per_second = 10.0, .burst = 20.0};
     settings.lens_search_messages = 0.0;
     begin();
   }
@@ -52,7 +51,7 @@ TEST_F(SessionRateTest, TheRateRecovers) {
 class LensSearchRateTest : public SessionRateTest {
  protected:
   LensSearchRateTest() {
-    settings.message_burst = 100.0;
+    settings.messages.burst = 100.0;
     settings.lens_search_messages = 40.0;
     begin();
   }

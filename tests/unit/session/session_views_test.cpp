@@ -132,7 +132,7 @@ TEST_F(SessionViewsTest, APicturesLensIsPaidForWithHalfOfTheBurstAtMost) {
            {"width_px", 60},
            {"height_px", 50},
            {"scene", patch}});
-  const int half = static_cast<int>(settings.message_burst / 2.0);
+  const int half = static_cast<int>(settings.messages.burst / 2.0);
   for (int i = 0; i < half - 1; ++i) scene({{"lens", {{"radius_mm", 12.0}}}});
   EXPECT_TRUE(client.of_type("error").empty());
   for (int i = 0; i < 2; ++i) scene({{"lens", {{"radius_mm", 12.0}}}});
