@@ -11,7 +11,8 @@ namespace cutaway {
 
 namespace {
 
-/// A still that takes more than this until it is compressed is made by turn.
+/// A still that takes more than this until it is compressed is made by turn: no limit that a
+/// client has to know.
 constexpr std::size_t kLargeStillBytes = std::size_t{16} << 20;
 
 PixelLayout layout_for(const FrameRequest& request) {
