@@ -17,6 +17,10 @@ class Wire {
   most_outstanding = 0;
   #outstanding = new Set();
 
+  get outstanding() {
+    return this.#outstanding.size;
+  }
+
   constructor(page) {
     page.on('websocket', (socket) => {
       socket.on('framesent', ({ payload }) => this.#sent(String(payload)));
@@ -57,13 +61,20 @@ describe('the gallery of styles', { skip }, () => {
   const cardPixels = (style) =>
     card(style).locator('cutaway-style-picture').screenshot({ animations: 'disabled' });
 
-  async function untilChanged(style, before_pixels) {
+  async function until(is_so, otherwise) {
     const deadline = Date.now() + LIMIT_MS;
-    while (before_pixels.equals(await cardPixels(style))) {
-      assert.ok(Date.now() < deadline, `the picture of ${style} was not renewed`);
+    while (!(await is_so())) {
+      assert.ok(Date.now() < deadline, otherwise);
       await viewer.page.waitForTimeout(POLL_MS);
     }
   }
+
+  const untilChanged = (style, before_pixels) =>
+    until(
+      async () => !before_pixels.equals(await cardPixels(style)),
+      `the picture of ${style} was not renewed`,
+    );
+  const untilAsked = () => until(() => wire.outstanding > 0, 'no picture was asked for');
 
   describe('on a desktop', () => {
     beforeEach(() => open(DESKTOP));
@@ -91,6 +102,30 @@ describe('the gallery of styles', { skip }, () => {
       await viewer.screenshot('desktop-studies');
       await viewer.after(() => card('toon-sobel').press('Enter'));
       await viewer.page.locator('[data-style=toon-sobel][aria-pressed=true]').waitFor();
+    });
+
+    // A browser makes no click of a press on what is gone by its end.
+    it('takes a click during which the picture comes', async () => {
+      await viewer.pictured('flagship', 'anatomy-atlas', 'gooch', 'magic-lens', 'toon');
+      const study = viewer.page.locator('cutaway-section [data-style]').first();
+      const sent = await viewer.data('sent');
+      suite.server.stall();
+      try {
+        await viewer.openStudies();
+        await study.scrollIntoViewIfNeeded();
+        await untilAsked();
+        await study.locator('cutaway-style-picture').hover();
+        await viewer.page.mouse.down();
+        assert.equal(await study.getAttribute('data-picture'), 'drawn');
+      } finally {
+        suite.server.goOn();
+      }
+      const style = `[data-style=${await study.getAttribute('data-style')}]`;
+      await viewer.page.locator(`${style}[data-picture=rendered]`).waitFor();
+      await viewer.page.mouse.up();
+      await viewer.page.locator(`${style}[aria-pressed=true]`).waitFor();
+      assert.notEqual(await viewer.data('sent'), sent);
+      await viewer.settled();
     });
 
     it('renews the pictures after the camera has moved and rests', async () => {

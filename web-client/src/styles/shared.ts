@@ -15,6 +15,10 @@ export const shared = css`
     color: inherit;
     cursor: pointer;
   }
+  /* A press is the button's own: a click is none once what was pressed in it has been drawn anew. */
+  button > * {
+    pointer-events: none;
+  }
   button:disabled {
     cursor: default;
     opacity: 0.4;
