@@ -1,8 +1,8 @@
 // Firefox and WebKit, each with one page: places on it, pointer, keys, pixels.
-import { existsSync } from 'node:fs';
 import { mkdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { setTimeout as wait } from 'node:timers/promises';
+import { missing } from './browser.mjs';
 import { Firefox, FIREFOX_NEEDS } from './firefox.mjs';
 import { WebKit, WEBKIT_NEEDS } from './webkit.mjs';
 
@@ -122,12 +122,6 @@ function boxOf(selector) {
   };
   const { x, y, width, height } = found(document)?.getBoundingClientRect() ?? {};
   return width > 0 ? { x, y, width, height } : undefined;
-}
-
-/** Where CI runs they have to be there, and the tests fail that miss one. */
-function missing(paths) {
-  const absent = paths.filter((path) => !existsSync(path));
-  return absent.length > 0 && process.env.CI !== 'true' ? `no ${absent.join(', ')}` : false;
 }
 
 const open = (Browser) => async (size) => new Page(await Browser.start(size));
