@@ -9,6 +9,8 @@ namespace cutaway {
 /// A convex body that holds the origin and fills the cube of -1..1. Its functions stand in a file
 /// that is GLSL and C++ alike; unit_body.glsl says what each gives. Lengths are in the body's own
 /// coordinates, and the parameter of a ray is the caller's: an affine map keeps it.
+/// Gauge, normal, offset and rim are what shaders ask of it: here, tests hold them against closed
+/// forms.
 struct UnitBody {
   const char* shader;  ///< that file
   glm::dvec2 (*interval)(glm::dvec3 origin, glm::dvec3 direction);
