@@ -6,7 +6,6 @@ import type { JsonObject } from '../state/merge_patch.ts';
 import { moduleModel } from '../state/module_model.ts';
 import { shared } from '../styles/shared.ts';
 import { words } from '../words/words.ts';
-import './control_field.ts';
 import { SessionElement } from './session_element.ts';
 
 const BRANCHES: readonly BranchName[] = ['focus', 'context'];
