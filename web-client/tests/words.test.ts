@@ -105,7 +105,7 @@ describe('a page', () => {
     await keepSpeaking(harness.session, page, ['de-CH']);
     expect([page.lang, words().panel.tabs.styles]).toEqual(['de', 'Stile']);
     expect(harness.state.language).toBe('de');
-    const [cap] = lensModeControls({ lens: { mode: 'cutaway' } });
+    const [, cap] = lensModeControls({ lens: { mode: 'cutaway' } });
     expect(cap).toMatchObject({ label: 'Schnittflächen' });
     harness.session.commands.prefer({ language: 'en' });
     await vi.waitFor(() => expect(page.lang).toBe('en'));
