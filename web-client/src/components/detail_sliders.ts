@@ -27,6 +27,16 @@ export class DetailSliders extends SessionElement {
         border-radius: var(--radius);
         background: var(--surface-raised);
       }
+      /* As high as it will be: the styles below stay where they are when it comes. */
+      cutaway-control:not(:defined) {
+        display: block;
+        min-height: 40px;
+      }
+      @media (pointer: coarse) {
+        cutaway-control:not(:defined) {
+          min-height: 66px;
+        }
+      }
       h2 {
         grid-column: 1 / -1;
         color: var(--text-quiet);
