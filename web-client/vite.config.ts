@@ -1,4 +1,4 @@
-import type { Plugin } from 'vite';
+import type { Plugin, Rolldown } from 'vite';
 import { defineConfig } from 'vitest/config';
 import { BUILD_TARGET } from './scripts/floor.mjs';
 import { thirdPartyNotices } from './scripts/third_party.mjs';
@@ -18,6 +18,29 @@ function withoutForeignIconAddresses(): Plugin {
     },
   };
 }
+
+/** Whether the page's entry imports it, itself or through others. */
+function comesAtFirst(
+  id: string,
+  modules: Rolldown.ChunkingContext,
+  seen = new Set<string>(),
+): boolean {
+  if (seen.has(id)) return false;
+  seen.add(id);
+  const module = modules.getModuleInfo(id);
+  return (
+    module?.isEntry === true ||
+    (module?.importers ?? []).some((importer) => comesAtFirst(importer, modules, seen))
+  );
+}
+
+const sharedAtFirst = {
+  name: (id: string, modules: Rolldown.ChunkingContext) =>
+    comesAtFirst(id, modules) ? 'shared' : null,
+  debugName: 'shared',
+  minShareCount: 2,
+  priority: 1,
+};
 
 // Set by tests/run, which adds up the results of all languages.
 const junit_file = process.env['VITEST_JUNIT'];
@@ -42,9 +65,10 @@ export default defineConfig({
     target: BUILD_TARGET,
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
-    // What the page and its later parts share is one file: many small ones compress worse.
+    // What the page and its later parts share is one file, what these alone share another: many
+    // small ones compress worse, and a first visit loads nothing that no first picture needs.
     rolldownOptions: {
-      output: { codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] } },
+      output: { codeSplitting: { groups: [sharedAtFirst, { name: 'later', minShareCount: 2 }] } },
     },
   },
   worker: { format: 'es', plugins: () => [notices.worker()] },

@@ -7,7 +7,7 @@ import { gzipSync } from 'node:zlib';
 import { newerThanFloor } from './floor.mjs';
 import { NOTICES_FILE } from './third_party.mjs';
 
-const LARGEST_INITIAL_BYTES = 150 * 1000;
+const LARGEST_INITIAL_BYTES = 120 * 1000;
 const dist = fileURLToPath(new URL('../dist', import.meta.url));
 const files = readdirSync(dist, { recursive: true, withFileTypes: true })
   .filter((entry) => entry.isFile() && extname(entry.name) !== '.gz')

@@ -30,11 +30,19 @@ async function writeTypes() {
   await writeFile(`${outputFolder}protocol.ts`, types);
 }
 
+/** What kind of control a field has; nothing where it has none of its own. */
+function kindOf({ $ref: reference = '', enum: choices, type }) {
+  if (choices) return 'choice';
+  if (reference.endsWith('#/definitions/colour')) return 'colour';
+  return { number: 'number', integer: 'number', boolean: 'boolean' }[type];
+}
+
 /** What a control needs to know of one field; of a point, what holds for each of its numbers. */
 function fieldFacts(schema, definitions) {
   const point = schema.$ref === '#/definitions/position_mm' ? definitions.position_mm.items : {};
   const number = { ...point, ...schema };
   const facts = {
+    kind: kindOf(schema),
     choices: schema.enum,
     minimum: number.minimum,
     maximum: number.maximum,
@@ -88,7 +96,11 @@ async function writeSceneFields() {
     'camera',
     'preparation',
     'surface',
+    'normals',
+    'occlusion',
+    'shadow',
     'lens',
+    'wall',
     'light',
     'background',
     'window',

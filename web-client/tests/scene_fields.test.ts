@@ -41,7 +41,15 @@ describe('what the schema says of the scene’s fields', () => {
         shadow: { strength: null, softness_degrees: null },
         filters: null,
       },
+      preparation: { focus_islands_ml: null },
     });
+    const { preparation } = groupReset('context', plain, undefined);
+    expect(preparation).toEqual({
+      hide_couch: null,
+      fill_context: null,
+      context_islands_ml: null,
+    });
+    expect(groupReset('lens', plain, undefined)).not.toHaveProperty('preparation');
   });
 
   it('takes an own style from any whole scene, slices and all', () => {

@@ -63,8 +63,15 @@ describe('the lens', () => {
 
   it('offers what its mode reads', () => {
     expect(ids('none')).toEqual([]);
-    expect(ids('cutaway')).toEqual(['lens-cap']);
+    expect(ids('cutaway')).toEqual(['lens-opening', 'lens-cap']);
     expect(ids('magic')).toEqual(['lens-strength', 'lens-softness', 'lens-strict']);
+  });
+
+  it('asks for a funnel’s angle only where there is a funnel', () => {
+    const [opening, angle] = lensModeControls(withLens({ mode: 'cutaway', opening: 'funnel' }));
+    expect(opening).toMatchObject({ value: 'funnel', choices: [{ value: 'closed' }, {}] });
+    expect(angle).toMatchObject({ id: 'lens-funnel-degrees', value: 8, maximum: 60 });
+    expect(angle?.toPatch(12)).toEqual({ lens: { funnel_degrees: 12 } });
   });
 
   it('has its ranges and defaults from the schema', () => {

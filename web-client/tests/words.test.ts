@@ -1,5 +1,6 @@
+import { readFileSync } from 'node:fs';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import type { ModuleDescription } from '../src/protocol/messages.ts';
+import { SCENE_FIELDS, type ModuleDescription } from '../src/protocol/messages.ts';
 import { keepSpeaking } from '../src/session/kept_speech.ts';
 import { lensModeControls } from '../src/state/lens_controls.ts';
 import { english } from '../src/words/english.ts';
@@ -61,6 +62,54 @@ describe('the German catalogue', () => {
   });
 });
 
+interface Described {
+  readonly title?: string;
+  readonly enum?: readonly string[];
+  readonly properties?: Readonly<Record<string, Described>>;
+  readonly 'x-level'?: string;
+}
+
+/** Of a registry of the schema: modules by name. */
+const registryOf = (name: string): [string, Described][] => {
+  const file = new URL('../../protocol/schema/modules.schema.json', import.meta.url);
+  const { definitions } = JSON.parse(readFileSync(file, 'utf8')) as {
+    definitions: Record<string, Record<string, Described>>;
+  };
+  return Object.entries(definitions[name] ?? {}).map(([module, described]) => [
+    `${name}.${module}`,
+    described,
+  ]);
+};
+
+describe('the German words for what a scene is built from', () => {
+  const modules = ['shading', 'filter', 'lens_shape'].flatMap(registryOf);
+  const parameters = modules.flatMap(([module, { properties = {} }]) =>
+    Object.entries(properties)
+      .filter(([, one]) => one['x-level'] !== undefined)
+      .map(([name, one]): [string, Described] => [`${module}.${name}`, one]),
+  );
+  const { served } = german;
+
+  it('are there for every module and every parameter that the panel shows', () => {
+    expect(modules.length).toBeGreaterThan(15);
+    expect(modules.map(([name]) => name).filter((name) => !served.modules[name])).toEqual([]);
+    const missing = parameters.map(([name]) => name).filter((name) => !served.parameters[name]);
+    expect(missing).toEqual([]);
+  });
+
+  it('name every choice, of the scene’s own fields too', () => {
+    const { 'normals.scale': _shown_as_smoothing, ...fields } = SCENE_FIELDS;
+    const own = Object.values(fields).flatMap((field) =>
+      'choices' in field ? [...field.choices] : [],
+    );
+    const choices = [...parameters.flatMap(([, one]) => one.enum ?? []), ...own];
+    expect(choices).toContain('section');
+    const names_of_people = ['phong', 'blinn', 'l1', 'l2'];
+    const known = [...Object.keys(served.choices), ...names_of_people];
+    expect(choices.filter((choice) => !known.includes(choice))).toEqual([]);
+  });
+});
+
 describe('names that the server sends', () => {
   const [tone] = capabilities.modules.shading as [ModuleDescription];
 
@@ -105,7 +154,7 @@ describe('a page', () => {
     await keepSpeaking(harness.session, page, ['de-CH']);
     expect([page.lang, words().panel.tabs.styles]).toEqual(['de', 'Stile']);
     expect(harness.state.language).toBe('de');
-    const [cap] = lensModeControls({ lens: { mode: 'cutaway' } });
+    const [, cap] = lensModeControls({ lens: { mode: 'cutaway' } });
     expect(cap).toMatchObject({ label: 'Schnittflächen' });
     harness.session.commands.prefer({ language: 'en' });
     await vi.waitFor(() => expect(page.lang).toBe('en'));

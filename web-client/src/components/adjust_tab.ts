@@ -1,5 +1,5 @@
 // How things look, in detail: what `capabilities` offers for both branches, the lens and the light.
-import { css, html, nothing } from 'lit';
+import { html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import type { CapabilitiesMessage, Scene, VolumeSummary } from '../protocol/messages.ts';
 import type { Control } from '../state/controls.ts';
@@ -8,8 +8,10 @@ import type { JsonObject } from '../state/merge_patch.ts';
 import { moduleModel } from '../state/module_model.ts';
 import { backgroundControl, lightControls, sceneChoiceControl } from '../state/scene_controls.ts';
 import { bandModel } from '../state/surface_controls.ts';
-import { preparationControls } from '../state/preparation_controls.ts';
+import { isTranslucent, lightOnSurface } from '../state/light_on_surface.ts';
+import { preparationSwitches } from '../state/preparation_controls.ts';
 import { tissuePresets } from '../state/tissue_presets.ts';
+import { headings } from '../styles/headings.ts';
 import { shared } from '../styles/shared.ts';
 import './band_editor.ts';
 import './filter_list.ts';
@@ -28,17 +30,7 @@ interface Known {
 export class AdjustTab extends SessionElement {
   protected override readonly draws = ['capabilities', 'scene', 'volume'] as const;
 
-  static override styles = [
-    shared,
-    css`
-      h3 {
-        margin: 6px 0 0;
-        color: var(--text-quiet);
-        font-size: 12px;
-        font-weight: 500;
-      }
-    `,
-  ];
+  static override styles = [shared, headings];
 
   private readonly change = (patch: JsonObject): void => this.session.commands.change(patch);
 
@@ -78,7 +70,7 @@ export class AdjustTab extends SessionElement {
       ${this.band(branch, known, heading)}
       ${
         branch === 'context'
-          ? preparationControls(scene).map((control) => this.field(control, heading))
+          ? preparationSwitches(scene).map((control) => this.field(control, heading))
           : nothing
       }
       ${this.field(shading.choice, heading)}
@@ -87,6 +79,7 @@ export class AdjustTab extends SessionElement {
         .group=${heading}
         .change=${this.change}
       ></cutaway-module-fields>
+      ${this.lightOn(branch, known, heading)}
       <h3>${texts.filters}</h3>
       <cutaway-filter-list
         .model=${filterListModel(branch, capabilities.modules.filter, scene)}
@@ -94,6 +87,20 @@ export class AdjustTab extends SessionElement {
         .change=${this.change}
       ></cutaway-filter-list>
     </cutaway-section>`;
+  }
+
+  private lightOn(branch: BranchName, { scene, volume }: Known, group: string) {
+    const { surface_and_light, only_opaque } = words().panel.adjust;
+    return html`<h3>${surface_and_light}</h3>
+      ${
+        isTranslucent(scene)
+          ? html`<p class="quiet small">${only_opaque}</p>`
+          : html`<cutaway-module-fields
+              .controls=${lightOnSurface(branch, scene, volume)}
+              .group=${group}
+              .change=${this.change}
+            ></cutaway-module-fields>`
+      }`;
   }
 
   private band(branch: BranchName, { scene, volume }: Known, group: string) {

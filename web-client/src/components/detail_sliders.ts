@@ -6,7 +6,6 @@ import type { JsonObject } from '../state/merge_patch.ts';
 import { moduleModel } from '../state/module_model.ts';
 import { shared } from '../styles/shared.ts';
 import { words } from '../words/words.ts';
-import './control_field.ts';
 import { SessionElement } from './session_element.ts';
 
 const BRANCHES: readonly BranchName[] = ['focus', 'context'];
@@ -27,6 +26,16 @@ export class DetailSliders extends SessionElement {
         border: 1px solid var(--line);
         border-radius: var(--radius);
         background: var(--surface-raised);
+      }
+      /* As high as it will be: the styles below stay where they are when it comes. */
+      cutaway-control:not(:defined) {
+        display: block;
+        min-height: 40px;
+      }
+      @media (pointer: coarse) {
+        cutaway-control:not(:defined) {
+          min-height: 66px;
+        }
       }
       h2 {
         grid-column: 1 / -1;

@@ -3,10 +3,18 @@ import { html, nothing } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import type { CapabilitiesMessage, Scene, VolumeSummary } from '../protocol/messages.ts';
 import type { Control } from '../state/controls.ts';
-import { lensCentreControls, lensModeControls, lensRadiusControl } from '../state/lens_controls.ts';
+import {
+  lensCentreControls,
+  lensMode,
+  lensModeControls,
+  lensRadiusControl,
+} from '../state/lens_controls.ts';
+import { isTranslucent } from '../state/light_on_surface.ts';
 import type { JsonObject } from '../state/merge_patch.ts';
 import { moduleModel } from '../state/module_model.ts';
 import { sceneChoiceControl } from '../state/scene_controls.ts';
+import { wallControls } from '../state/wall_controls.ts';
+import { headings } from '../styles/headings.ts';
 import { shared } from '../styles/shared.ts';
 import './coordinate_fields.ts';
 import './module_fields.ts';
@@ -18,7 +26,7 @@ import { words } from '../words/words.ts';
 export class LensSection extends SessionElement {
   protected override readonly draws = ['capabilities', 'scene', 'volume'] as const;
 
-  static override styles = shared;
+  static override styles = [shared, headings];
 
   private readonly reset = (): void => this.session.commands.resetGroup('lens');
 
@@ -51,7 +59,22 @@ export class LensSection extends SessionElement {
         .group=${words().panel.adjust.lens}
         .change=${this.change}
       ></cutaway-coordinate-fields>
+      ${lensMode(scene) === 'cutaway' ? this.wall(scene) : nothing}
     `;
+  }
+
+  private wall(scene: Scene) {
+    const { lens, wall, only_opaque } = words().panel.adjust;
+    return html`<h3>${wall}</h3>
+      ${
+        isTranslucent(scene)
+          ? html`<p class="quiet small">${only_opaque}</p>`
+          : html`<cutaway-module-fields
+              .controls=${wallControls(scene)}
+              .group=${`${lens}, ${wall}`}
+              .change=${this.change}
+            ></cutaway-module-fields>`
+      }`;
   }
 
   private field(control: Control) {

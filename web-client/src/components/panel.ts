@@ -5,12 +5,10 @@ import { customElement } from 'lit/decorators.js';
 import { keyed } from 'lit/directives/keyed.js';
 import type { PanelTab } from '../state/viewer_state.ts';
 import { shared } from '../styles/shared.ts';
-import './adjust_tab.ts';
-import { LatePart } from './late_part.ts';
+import { afterFirstPicture, LatePart } from './late_part.ts';
 import { isPhone } from './phone.ts';
 import { SessionElement } from './session_element.ts';
 import './style_gallery.ts';
-import './view_tab.ts';
 import './volume_list.ts';
 import { words } from '../words/words.ts';
 
@@ -20,7 +18,12 @@ const TABS: readonly PanelTab[] = ['volumes', 'styles', 'adjust', 'measure', 'vi
 export class CutawayPanel extends SessionElement {
   protected override readonly draws = ['panel_tab', 'preferences'] as const;
 
-  private readonly measure_tab = new LatePart(this, () => import('./measure_tab.ts'));
+  private readonly controls = new LatePart(this, () => import('./controls.ts'));
+  private readonly late_tabs: Partial<Readonly<Record<PanelTab, LatePart>>> = {
+    adjust: this.controls,
+    measure: new LatePart(this, () => import('./measure_tab.ts')),
+    view: this.controls,
+  };
 
   static override styles = [
     shared,
@@ -100,12 +103,17 @@ export class CutawayPanel extends SessionElement {
     `,
   ];
 
+  override connectedCallback(): void {
+    super.connectedCallback();
+    afterFirstPicture(this.session.store, () => void this.controls.foresee());
+  }
+
   override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
     const { panel_tab, preferences } = this.state;
     const { toasts, commands } = this.session;
-    if (panel_tab === 'measure' && preferences.panel_open)
-      void this.measure_tab.ask(toasts, () => commands.showTab('styles'));
+    const part = preferences.panel_open ? this.late_tabs[panel_tab] : undefined;
+    void part?.ask(toasts, () => commands.showTab('styles'));
   }
 
   override render() {
@@ -170,6 +178,8 @@ export class CutawayPanel extends SessionElement {
   }
 
   private content(tab: PanelTab) {
+    if (this.late_tabs[tab]?.is_there === false)
+      return html`<p class="quiet">${words().panel.styles.waiting}</p>`;
     switch (tab) {
       case 'volumes':
         return html`<cutaway-volume-list .session=${this.session}></cutaway-volume-list>`;
@@ -178,9 +188,7 @@ export class CutawayPanel extends SessionElement {
       case 'adjust':
         return html`<cutaway-adjust-tab .session=${this.session}></cutaway-adjust-tab>`;
       case 'measure':
-        return this.measure_tab.is_there
-          ? html`<cutaway-measure-tab .session=${this.session}></cutaway-measure-tab>`
-          : nothing;
+        return html`<cutaway-measure-tab .session=${this.session}></cutaway-measure-tab>`;
       case 'view':
         return html`<cutaway-view-tab .session=${this.session}></cutaway-view-tab>`;
     }

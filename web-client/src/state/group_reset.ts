@@ -15,6 +15,13 @@ const PARTS: Readonly<Record<PanelGroup, readonly string[]>> = {
   light: ['light', 'background'],
 };
 
+/** What the volume goes through is shown where it is seen. */
+const preparedFor = (group: PanelGroup) =>
+  fieldsUnder('preparation').filter(([, name]) => {
+    const shown_in = name === 'focus_islands_ml' ? 'focus' : 'context';
+    return shown_in === group;
+  });
+
 /** Where no style was put on, the server's first one counts. */
 export function groupReset(
   group: PanelGroup,
@@ -24,5 +31,8 @@ export function groupReset(
   const style = base ?? styles[0];
   const look = style ? stylePatch(style, modules) : {};
   const parts = PARTS[group];
-  return layered(leftOpen(parts.flatMap(fieldsUnder)), pick(look, parts));
+  return layered(
+    leftOpen([...parts.flatMap(fieldsUnder), ...preparedFor(group)]),
+    pick(look, parts),
+  );
 }

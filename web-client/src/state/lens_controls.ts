@@ -1,9 +1,12 @@
 // Controls of the lens: what it does, what that has to be told, and where it lies in the patient.
 import { SCENE_FIELDS, type Scene, type VolumeSummary } from '../protocol/messages.ts';
-import type { BooleanControl, Control, NumberControl } from './controls.ts';
+import type { Control, NumberControl } from './controls.ts';
+import { booleanField, numberField } from './field_controls.ts';
 import { nestedPatch } from './merge_patch.ts';
 import { sceneChoiceControl } from './scene_controls.ts';
 import { words } from '../words/words.ts';
+
+export const lensMode = ({ lens }: Scene) => lens?.mode ?? SCENE_FIELDS['lens.mode'].default;
 
 export function lensRadiusControl(scene: Scene, volume: VolumeSummary): NumberControl {
   const field = SCENE_FIELDS['lens.radius_mm'];
@@ -20,44 +23,34 @@ export function lensRadiusControl(scene: Scene, volume: VolumeSummary): NumberCo
 }
 
 function shareControl(name: 'strength' | 'softness', label: string, scene: Scene): NumberControl {
-  const field = SCENE_FIELDS[`lens.${name}`];
-  const description = words().controls.description(`lens.${name}`);
-  return {
-    ...field,
-    kind: 'number',
-    id: `lens-${name}`,
-    label,
-    description,
-    unit: '',
-    value: scene.lens?.[name] ?? field.default,
-    toPatch: (value) => nestedPatch(['lens', name], value),
-  };
+  return numberField({ field: `lens.${name}`, path: ['lens', name], label }, scene);
 }
 
-function strictControl(scene: Scene): BooleanControl {
-  const field = SCENE_FIELDS['lens.strict'];
-  return {
-    kind: 'boolean',
-    id: 'lens-strict',
-    label: words().controls.fade_everywhere,
-    description: words().controls.description('lens.strict'),
-    value: scene.lens?.strict ?? field.default,
-    toPatch: (value) => nestedPatch(['lens', 'strict'], value),
-  };
+function magicControls(scene: Scene): readonly Control[] {
+  const { strength, soft_rim, fade_everywhere: label } = words().controls;
+  return [
+    shareControl('strength', strength, scene),
+    shareControl('softness', soft_rim, scene),
+    booleanField({ field: 'lens.strict', path: ['lens', 'strict'], label }, scene),
+  ];
+}
+
+function cutawayControls(scene: Scene): readonly Control[] {
+  const { cut_surfaces, opening, funnel_angle: label } = words().controls;
+  const opens = sceneChoiceControl('lens.opening', opening, scene);
+  const path = ['lens', 'funnel_degrees'];
+  const funnel = numberField({ field: 'lens.funnel_degrees', path, label }, scene);
+  const cap = sceneChoiceControl('lens.cap', cut_surfaces, scene);
+  return opens.value === 'funnel' ? [opens, funnel, cap] : [opens, cap];
 }
 
 /** What the lens' present mode reads. */
 export function lensModeControls(scene: Scene): readonly Control[] {
-  const { cut_surfaces, strength, soft_rim } = words().controls;
-  switch (scene.lens?.mode ?? SCENE_FIELDS['lens.mode'].default) {
+  switch (lensMode(scene)) {
     case 'cutaway':
-      return [sceneChoiceControl('lens.cap', cut_surfaces, scene)];
+      return cutawayControls(scene);
     case 'magic':
-      return [
-        shareControl('strength', strength, scene),
-        shareControl('softness', soft_rim, scene),
-        strictControl(scene),
-      ];
+      return magicControls(scene);
     case 'none':
       return [];
   }

@@ -1,33 +1,18 @@
 // Controls of the fields that every scene has; ranges and choices come from its schema.
 import { SCENE_FIELDS, type Scene } from '../protocol/messages.ts';
-import {
-  choicesOf,
-  type ChoiceControl,
-  type ColourControl,
-  type NumberControl,
-} from './controls.ts';
+import type { ChoiceControl, ColourControl, NumberControl } from './controls.ts';
+import { choiceField } from './field_controls.ts';
 import { lightAngles, lightDirection, type LightAngles } from './light_angles.ts';
-import { nestedPatch, textOf, valueAt, type Json, type JsonObject } from './merge_patch.ts';
+import { nestedPatch, type Json, type JsonObject } from './merge_patch.ts';
 import { cameraOf, DEFAULT_FIELD_OF_VIEW_DEGREES } from './scene_parts.ts';
 import { withProjection } from '../view/camera_motion.ts';
 import { words } from '../words/words.ts';
 
-type ChoiceField = 'lens.mode' | 'lens.cap' | 'light.frame' | 'camera.projection';
+type ChoiceField = 'lens.mode' | 'lens.opening' | 'lens.cap' | 'light.frame' | 'camera.projection';
 
 /** A choice that the scene itself has. */
-export function sceneChoiceControl(field: ChoiceField, label: string, scene: Scene): ChoiceControl {
-  const path = field.split('.');
-  const { choices, default: first } = SCENE_FIELDS[field];
-  return {
-    kind: 'choice',
-    id: path.join('-'),
-    label,
-    description: words().controls.description(field),
-    value: textOf(valueAt(scene as Json, path), first),
-    choices: choicesOf(choices),
-    toPatch: (value) => nestedPatch(path, value),
-  };
-}
+export const sceneChoiceControl = (field: ChoiceField, label: string, scene: Scene) =>
+  choiceField({ field, path: field.split('.'), label }, scene);
 
 export function backgroundControl(scene: Scene): ColourControl {
   return {

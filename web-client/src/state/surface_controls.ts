@@ -1,7 +1,8 @@
 // Controls of a branch's surface: the band of values that is drawn, and how much of the light it
 // takes. Both ends have the volume's own range, so that sliders and histogram lie one under another.
-import { SCENE_FIELDS, type Scene, type VolumeSummary } from '../protocol/messages.ts';
+import type { Scene, VolumeSummary } from '../protocol/messages.ts';
 import { roundStep, type BooleanControl, type NumberControl } from './controls.ts';
+import { numberField } from './field_controls.ts';
 import type { BranchName } from './filter_model.ts';
 import { nestedPatch } from './merge_patch.ts';
 import { words } from '../words/words.ts';
@@ -37,16 +38,9 @@ function endControl(
 }
 
 function opacityControl(branch: BranchName, scene: Scene): NumberControl {
-  const field = SCENE_FIELDS['surface.opacity'];
-  return {
-    ...field,
-    kind: 'number',
-    id: `${branch}-opacity`,
-    label: words().controls.opacity,
-    description: words().controls.description('surface.opacity'),
-    value: scene[branch]?.surface?.opacity ?? field.default,
-    toPatch: (value) => nestedPatch([branch, 'surface', 'opacity'], value),
-  };
+  const label = words().controls.opacity;
+  const path = [branch, 'surface', 'opacity'];
+  return numberField({ field: 'surface.opacity', path, label }, scene);
 }
 
 /** Neither end passes the other: the server refuses an empty band. */

@@ -6,3 +6,8 @@ type Fields = typeof SCENE_FIELDS;
 export type DescribedField = {
   [Field in keyof Fields]: Fields[Field] extends { description: string } ? Field : never;
 }[keyof Fields];
+
+/** Those with a control of one kind. */
+export type FieldOfKind<Kind extends string> = {
+  [Field in DescribedField]: Fields[Field] extends { kind: Kind } ? Field : never;
+}[DescribedField];

@@ -12,8 +12,11 @@ import { unseen } from './english/unseen.ts';
 import { numberIn } from './plural.ts';
 import { AS_SERVED, type ServedWords } from './served.ts';
 
-/** What the server sends is English already. */
-const served: ServedWords = AS_SERVED;
+/** What the server sends is English already; beside a number its units are as short as can be. */
+const served: ServedWords = {
+  ...AS_SERVED,
+  units: { degrees: '°', 'per mille of the height': '‰ of height' },
+};
 
 export const english = {
   language: 'en',

@@ -27,6 +27,37 @@ export const descriptions: Readonly<Record<DescribedField, string>> = {
   'surface.opacity':
     'Anteil des Lichts, den ein Millimeter des Materials aufnimmt; 1 ist von der Oberfläche an ' +
     'undurchsichtig, weniger lässt durchscheinen, was dahinter liegt.',
+  'normals.scale':
+    'Fest gilt die Breite in Millimetern, automatisch, was dieses Volumen beruhigt; für den Fokus ' +
+    'die Hälfte davon.',
+  'normals.scale_mm':
+    'Standardabweichung der Gauß-Glocke, unter der die Richtung der Oberfläche bestimmt wird, mm; ' +
+    '0: aus den Unterschieden benachbarter Voxel.',
+  'normals.reconstruction':
+    'Linear, oder kubisch (der annähernde B-Spline): ohne Ringe bei dicken Schichten, dünne Wände ' +
+    'werden ein wenig weicher.',
+  'occlusion.strength':
+    'Wie dunkel Vertiefungen werden, weil andere Teile der Oberfläche Licht abhalten; 0 zeichnet ' +
+    'ohne.',
+  'occlusion.range_mm':
+    'Was weiter weg liegt, hält kein Licht ab, mm. Fehlt sie: zwei Radien der Linse, oder 0,15 der ' +
+    'Diagonale des Materials, wo das mehr ist.',
+  'occlusion.near_share':
+    'Anteil dessen, was im ersten Viertel der Reichweite liegt: mehr davon zeichnet kleine Formen, ' +
+    'weniger große.',
+  'occlusion.colour': 'Wohin kein Licht reicht, das behält diesen Anteil seiner Farbe.',
+  'shadow.strength':
+    'Wie dunkel der Schatten ist, den Fokus und Kontext werfen; 0 zeichnet ohne, bei 1 ist er vom ' +
+    'Licht abgewandt.',
+  'shadow.softness_degrees':
+    'Der halbe Winkel, unter dem das Licht gesehen wird; 0 ist eine harte Kante.',
+  'wall.strength':
+    'Anteil der eigenen Farbe der Wand; bei 0 ist sie gezeichnet wie der übrige Kontext.',
+  'wall.colour':
+    'Sie muss sich in der Helligkeit von Haut und Fokus unterscheiden, sonst schließt sich das Loch.',
+  'wall.deepening': 'Wie viel dunkler sie mit der Tiefe unter dem Rand wird; 0 gar nicht.',
+  'wall.edge_mm': 'Breite des hellen Randes, wo die Linse die Haut schneidet, mm.',
+  'wall.edge_colour': 'Die Farbe dieses Randes.',
   'lens.mode':
     'Keine zeigt den Kontext allein; Ausschnitt entfernt den Kontext in der Linse; Magisch blendet ' +
     'den ganzen Fokus über den Kontext, wo die Linse das Bild bedeckt.',

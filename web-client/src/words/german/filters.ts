@@ -24,22 +24,22 @@ export const filters: ServedWords['modules'] = {
       'nächste Oberfläche liegt; Schrägen und die Ringe von Schichten haben keine.',
   },
   'filter.dog': {
-    title: 'Kanten (Differenz von Gauß-Filtern)',
+    title: 'Kanten (DoG)',
     description:
       'Zeichnet Linien auf der dunklen Seite von Kanten der Helligkeit, glatt und gleichmäßig ' +
-      'breit.',
+      'breit: die Differenz von Gauß-Filtern.',
   },
   'filter.xdog': {
-    title: 'Tusche (erweiterte Differenz von Gauß-Filtern)',
+    title: 'Tusche (XDoG)',
     description:
       'Macht aus der Helligkeit des Bildes Tusche: Linien an Kanten und Schwarz, wo es dunkel ' +
-      'ist.',
+      'ist. Es ist die erweiterte Differenz von Gauß-Filtern.',
   },
   'filter.fdog': {
-    title: 'Zusammenhängende Linien (Differenz von Gauß-Filtern im Fluss)',
+    title: 'Zusammenhängende Linien (FDoG)',
     description:
       'Zeichnet Linien an Kanten der Helligkeit, die dem Fluss des Bildes folgen, ohne Lücken ' +
-      'und Punkte.',
+      'und Punkte: die Differenz von Gauß-Filtern im Fluss.',
   },
   'filter.canny': {
     title: 'Kanten (Canny)',

@@ -42,6 +42,10 @@ export const panel: Words['panel'] = {
     context: 'Kontext',
     context_hint: 'um sie herum',
     lens: 'Linse',
+    wall: 'Wand der Höhlung',
+    surface_and_light: 'Oberfläche und Licht',
+    only_opaque:
+      'Nur auf undurchsichtigen Oberflächen: wo Fokus und Kontext beide die Deckkraft 1 haben.',
     light: 'Licht',
     light_and_background: 'Licht und Hintergrund',
     filters: 'Filter, in ihrer Reihenfolge',

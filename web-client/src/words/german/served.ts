@@ -32,8 +32,10 @@ export const served: ServedWords = {
     normal: 'Normale',
     raw: 'Roh',
     unit: 'Einheit',
+    linear: 'Linear',
+    cubic: 'Kubisch',
   },
-  units: { 'per mm': 'je mm', 'per mille of the height': '‰ der Höhe' },
+  units: { degrees: '°', 'per mm': 'je mm', 'per mille of the height': '‰ der Höhe' },
   volumes: {
     'phantom:head': 'Kopfphantom',
     'phantom:abdomen': 'Bauchphantom',
