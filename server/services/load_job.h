@@ -25,9 +25,9 @@ class LoadWaiter {
     const std::lock_guard lock(mutex_);
     if (progress_) progress_(stage, fraction);
   }
-  void finish(const OpenOutcome& outcome) {
+  void finish(OpenOutcome outcome) {
     const std::lock_guard lock(mutex_);
-    if (done_) done_(outcome);
+    if (done_) done_(std::move(outcome));
     dismiss_locked();
   }
   void dismiss() {
@@ -74,13 +74,18 @@ class LoadJob {
   void progress(LoadStage stage, double fraction) {
     for (const auto& waiter : waiters()) waiter->progress(stage, fraction);
   }
-  void finish(const OpenOutcome& outcome) {
+  /// Nothing of it is kept: who hears of it last may let go of the volume and have its memory back.
+  void finish(OpenOutcome outcome) {
     std::list<std::shared_ptr<LoadWaiter>> waiters;
     {
       const std::lock_guard lock(mutex_);
       waiters.swap(waiters_);
     }
-    for (const auto& waiter : waiters) waiter->finish(outcome);
+    while (waiters.size() > 1) {
+      waiters.front()->finish(outcome);
+      waiters.pop_front();
+    }
+    if (!waiters.empty()) waiters.front()->finish(std::move(outcome));
   }
 
  private:

@@ -316,13 +316,13 @@ std::shared_ptr<const OpenedVolume> VolumeService::read_reserved(const Catalogue
 }
 
 // Whoever asks from here on finds the volume in the cache, or tries anew.
-void VolumeService::finish(LoadJob& job, const OpenOutcome& outcome) {
+void VolumeService::finish(LoadJob& job, OpenOutcome outcome) {
   {
     const std::lock_guard lock(mutex_);
     const auto mine = jobs_.find(job.id());
     if (mine != jobs_.end() && mine->second.get() == &job) jobs_.erase(mine);
   }
-  job.finish(outcome);
+  job.finish(std::move(outcome));
 }
 
 void VolumeService::withdraw(const std::shared_ptr<LoadJob>& job,

@@ -66,7 +66,7 @@ class VolumeService final : public VolumeLibrary {
                                                     const VolumePreparation& preparation,
                                                     const std::stop_token& stop);
   std::shared_ptr<const OpenedVolume> read_reserved(const CatalogueEntry& entry, LoadJob& job);
-  void finish(LoadJob& job, const OpenOutcome& outcome);
+  void finish(LoadJob& job, OpenOutcome outcome);
   void withdraw(const std::shared_ptr<LoadJob>& job, const std::shared_ptr<LoadWaiter>& waiter);
 
   UploadTarget target_;

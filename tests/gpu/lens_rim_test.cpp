@@ -83,9 +83,9 @@ const std::shared_ptr<const LoadedVolume>& head() {
   return volume;
 }
 
-/// The flagship with its lines, with or without silhouettes.
-Json flagship(bool silhouettes, glm::dvec3 lens_mm, double radius_mm) {
-  Json document = style("flagship").scene;
+/// The style with its lines, with or without silhouettes.
+Json dissertation(bool silhouettes, glm::dvec3 lens_mm, double radius_mm) {
+  Json document = style("dissertation").scene;
   for (Json& filter : document["focus"]["filters"]) {
     if (filter.at("name") == "sobel") filter["silhouettes"] = silhouettes;
   }
@@ -94,14 +94,14 @@ Json flagship(bool silhouettes, glm::dvec3 lens_mm, double radius_mm) {
   return document;
 }
 
-TEST(LensRim, OfTheFlagshipsFocusHasNoLineWhereTheFocusGoesOn) {
-  const Lens placed = scene_for(style("flagship").scene, head(), {kSize.x, kSize.y}).lens;
+TEST(LensRim, OfTheDissertationsFocusHasNoLineWhereTheFocusGoesOn) {
+  const Lens placed = scene_for(style("dissertation").scene, head(), {kSize.x, kSize.y}).lens;
   for (const double factor : {0.6, 0.8, 1.0}) {
     const double radius_mm = factor * placed.radius_mm;
-    const RenderedRim on = render(flagship(true, placed.centre_mm, radius_mm), head());
-    const RenderedRim off = render(flagship(false, placed.centre_mm, radius_mm), head());
+    const RenderedRim on = render(dissertation(true, placed.centre_mm, radius_mm), head());
+    const RenderedRim off = render(dissertation(false, placed.centre_mm, radius_mm), head());
     // Four pixels larger: where it holds the focus all round a pixel, the anatomy has no border.
-    const RenderedRim larger = render(flagship(true, placed.centre_mm, radius_mm + 4.0), head());
+    const RenderedRim larger = render(dissertation(true, placed.centre_mm, radius_mm + 4.0), head());
     const Lines lines = lines_of(on.picture, off.picture, on.focus, larger.focus);
     EXPECT_EQ(lines.along_rim, 0) << radius_mm;
     EXPECT_GT(lines.rim, 50) << radius_mm;
