@@ -28,8 +28,8 @@ struct Shell {
   double radius;
 };
 
-/// A cube's faces and corners within its edges: of the sets of up to 32 taps that were tried the one
-/// that is near the truth on every copy, without noise and with it.
+/// A cube's faces and corners within its edges: of the sets of up to 32 taps that were tried the
+/// one that is near the truth on every copy, without noise and with it.
 std::vector<Shell> shells() {
   Shell inner{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 1.55};
   Shell outer{{}, 2.25};

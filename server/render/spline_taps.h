@@ -23,8 +23,8 @@ struct SplineTaps {
 };
 
 /// `scale_mm`: standard deviation of the Gaussian, of which a copy's means and the spline are most;
-/// 0: the spline's own. `factors`: the voxels that a texel of each copy spans, along each axis, from
-/// the volume's own (1, 1, 1) on.
+/// 0: the spline's own. `factors`: the voxels that a texel of each copy spans, along each axis,
+/// from the volume's own (1, 1, 1) on.
 SplineTaps spline_taps(double scale_mm, const VolumeGeometry& geometry,
                        const std::vector<glm::ivec3>& factors);
 
