@@ -163,8 +163,10 @@ TEST(Looks, AllTogetherOfSeveralRaysAPixelInEitherProjection) {
     const Scene scene = look_scene(document);
     RenderSettings settings = settings_for(scene);
     settings.supersampling = 2;
-    expect_like_reference(std::string("look-all-") + projection, scene, looked_at_head(), settings,
-                          look_tolerance(scene));
+    // A toon's step turns with what outlines' normals are.
+    expect_like_reference(
+        std::string("look-all-") + projection, scene, looked_at_head(), settings,
+        {.mean = 0.15, .share_above_2 = 0.01, .maximum = 160, .share_of_disagreements = 0.002});
   }
 }
 

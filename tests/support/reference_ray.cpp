@@ -17,7 +17,7 @@ Ray::Ray(const Scene& scene, const Volume& volume, const ViewRay& ray, double st
       step_mm_(step_mm),
       picture_height_px_(picture_height_px),
       box_(box_interval()),
-      funnel_end_mm_(funnel_.end_mm(ray)) {}
+      funnel_end_mm_(clear_mm()) {}
 
 glm::dvec3 Ray::position_mm(double distance_mm) const {
   return ray_.origin_mm + distance_mm * ray_.direction;
@@ -78,6 +78,14 @@ bool Ray::goes_on_outside(const RayPart& in_lens, const ValueBand& band) const {
 
 RayPart Ray::whole(BranchName branch) const {
   return {branch, box_, box_face(), box_.begin_mm == 0.0};
+}
+
+/// Where there is a funnel no ray meets context before the lens.
+double Ray::clear_mm() const {
+  const Interval lens = lens_interval();
+  const double before_lens_mm = lens.is_empty() ? 0.0 : lens.begin_mm;
+  return scene_lens_.opening == LensOpening::funnel ? std::max(funnel_.end_mm(ray_), before_lens_mm)
+                                                    : 0.0;
 }
 
 Interval Ray::lens_interval() const {

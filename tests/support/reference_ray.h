@@ -63,6 +63,7 @@ class Ray {
   glm::dvec3 facing(glm::dvec3 normal) const;
   Interval box_interval() const;
   Interval lens_interval() const;
+  double clear_mm() const;
   double rim_depth_mm(const RayPart& in_lens) const;
   double bisect(double near_mm, double far_mm, const ValueBand& band) const;
   std::optional<glm::dvec3> lens_face(double distance_mm) const;
