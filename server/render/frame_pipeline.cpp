@@ -354,6 +354,10 @@ std::vector<glm::vec4> FramePipeline::read_reach(const ViewState& view, BranchIn
   return texels_of(view.buffers_->branches[branch].reach.texture);
 }
 
+std::vector<glm::vec4> FramePipeline::read_shaded(const ViewState& view, BranchIndex branch) {
+  return texels_of(view.buffers_->branches[branch].shaded);
+}
+
 std::vector<glm::vec4> FramePipeline::read_layers(const ViewState& view, BranchIndex branch) {
   return texels_of(view.buffers_->branches[branch].layers);
 }

@@ -96,6 +96,8 @@ class FramePipeline {
   static std::vector<glm::vec4> read_calmed(const ViewState& view, BranchIndex branch);
   /// How much light comes to each pixel of a branch: x ambient, y direct. Of the picture's size.
   static std::vector<glm::vec4> read_reach(const ViewState& view, BranchIndex branch);
+  /// A branch's colour before its filters: display-encoded, coverage. Of the picture's size.
+  static std::vector<glm::vec4> read_shaded(const ViewState& view, BranchIndex branch);
   /// The same for the layers of translucent material: premultiplied colour and opacity.
   static std::vector<glm::vec4> read_layers(const ViewState& view, BranchIndex branch);
 

@@ -17,9 +17,7 @@ struct TapPair {
   glm::dvec3 gradient;
 };
 
-/// The narrow set's pairs, on the volume itself, and the wide one's, on a coarser copy.
-inline constexpr std::size_t kFinePairs = 16;
-inline constexpr std::size_t kCoarsePairs = 7;
+inline constexpr std::size_t kTapPairs = 13;
 
 struct NormalTaps {
   std::size_t level = 0;  ///< of the volume's copies; 0: itself

@@ -1,17 +1,21 @@
-// Between the ray cast and shading: a branch's normals, taken anew of the volume under a Gaussian.
+// Between the ray cast and shading: a branch's normals, taken anew of the volume under a Gaussian,
+// or of its cubic reconstruction.
 #pragma once
 
 #include "gl/program.h"
 #include "render/gpu_volume.h"
 #include "render/view_buffers.h"
 #include "render/view_rays.h"
+#include "scene/scene.h"
 
 namespace cutaway {
 
 struct NormalsKey {
-  std::uint64_t surface_version = 0;  ///< of the ray cast, whose volume and rays are these
+  std::uint64_t surface_version = 0;  ///< of the ray cast, whose volume, rays and band these are
   ViewRays rays{};
   double scale_mm = 0.0;
+  Reconstruction reconstruction = Reconstruction::linear;
+  ValueBand band;  ///< of the branch
   bool operator==(const NormalsKey&) const = default;
 };
 
@@ -24,8 +28,12 @@ class NormalsPass {
            const gl::FullscreenTriangle& triangle) const;
 
  private:
-  gl::Program fine_;
-  gl::Program coarse_;
+  const gl::Program& use_linear(const NormalsKey& key, const GpuVolume& volume) const;
+  const gl::Program& use_cubic(const NormalsKey& key, const GpuVolume& volume) const;
+
+  gl::Program linear_;
+  gl::Program cubic_;
+  gl::Program cubic_at_scale_;
 };
 
 }  // namespace cutaway

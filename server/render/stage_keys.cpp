@@ -77,10 +77,12 @@ double light_start_mm(double normal_scale_mm, const VolumeGeometry& geometry) {
 
 std::optional<NormalsKey> normals_key(const Scene& scene, BranchIndex index, const RayCastKey& rays,
                                       std::uint64_t surface_version, const GpuVolume& volume) {
+  const Branch& branch = branch_of(scene, index);
   const double scale_mm =
-      normal_scale_mm(branch_of(scene, index).normals, index == kFocus, volume.volume().geometry);
-  if (scale_mm <= 0.0) return std::nullopt;
-  return NormalsKey{surface_version, rays.rays, scale_mm};
+      normal_scale_mm(branch.normals, index == kFocus, volume.volume().geometry);
+  const Reconstruction reconstruction = branch.normals.reconstruction;
+  if (scale_mm <= 0.0 && reconstruction == Reconstruction::linear) return std::nullopt;
+  return NormalsKey{surface_version, rays.rays, scale_mm, reconstruction, branch.surface.band};
 }
 
 LightKey light_key(const Scene& scene, BranchIndex index, const ViewRays& rays,
@@ -148,7 +150,8 @@ WorkNeeds work_needs(const Scene& scene, double resolution_scale) {
 namespace {
 
 bool has_calm_normals(const Branch& branch) {
-  return branch.normals.scale == NormalScale::automatic || branch.normals.scale_mm > 0.0;
+  return branch.normals.scale == NormalScale::automatic || branch.normals.scale_mm > 0.0 ||
+         branch.normals.reconstruction == Reconstruction::cubic;
 }
 
 bool has_light(const Branch& branch, const RenderSettings& settings) {

@@ -78,7 +78,8 @@ std::optional<PickHit> pick(const Scene& scene, const OpenVolume& volume, glm::d
   const ViewRay ray = ray_through(scene.camera, scene.viewport, position_px);
   const std::optional<Stretch> lens = inside_lens(scene.lens, ray);
   const auto funnel = funnel_of(scene.lens, scene.camera);
-  const double opened = funnel ? funnel->exit_mm(ray) : 0.0;
+  double opened = funnel ? funnel->exit_mm(ray) : 0.0;
+  if (lens && funnel) opened = std::max(opened, lens->begin);
   if (!lens)
     return first_hit(scene, volume, ray, {.begin = opened, .begins_at_lens = opened > 0.0});
   if (scene.lens.mode == LensMode::magic) return pick_under_magic_lens(scene, volume, ray);

@@ -54,6 +54,7 @@ namespace {
 /// How far a pixel's colour reaches through what is done to a branch's picture, px.
 int reach_of_branch(const Branch& branch, const Scene& scene, double resolution_scale) {
   int reach = reads_turning(in_pixels(branch.shading, scene.viewport.height_px)) ? 1 : 0;
+  if (branch.occlusion.strength > 0.0 || branch.shadow.strength > 0.0) reach = LightPass::kReach_px;
   for (const Module& filter : branch.filters)
     reach += FilterPass::plan({.filter = in_pixels(filter, scene.viewport.height_px),
                                .resolution_scale = resolution_scale})
@@ -148,16 +149,26 @@ Tolerance tolerance_for(const Scene& scene) {
   return {.mean = 0.08, .maximum = 1};
 }
 
+reference::Settings reference_settings(const LoadedVolume& volume, const RenderSettings& settings) {
+  const TissueRamp ramp = tissue_ramp(volume);
+  return {.picture_size_px = settings.picture_size_px,
+          .resolution_scale = settings.resolution_scale,
+          .supersampling = settings.supersampling,
+          .step_voxels = settings.step_voxels,
+          .tissues = {ramp.range, {ramp.colours.begin(), ramp.colours.end()}},
+          .light = {.directions = settings.light.directions,
+                    .samples = settings.light.samples,
+                    .shadow_rays = settings.light.shadow_rays,
+                    .shadow_samples = settings.light.shadow_samples}};
+}
+
 void expect_like_reference(const std::string& name, const Scene& scene,
                            const std::shared_ptr<const LoadedVolume>& volume,
                            const RenderSettings& settings, const Tolerance& tolerance) {
   GpuHarness& gpu = GpuHarness::instance();
   const BytePicture actual = gpu.render(scene, volume, settings);
-  const auto reference = reference::render(scene, volume->volume,
-                                           {.picture_size_px = settings.picture_size_px,
-                                            .resolution_scale = settings.resolution_scale,
-                                            .supersampling = settings.supersampling,
-                                            .step_voxels = settings.step_voxels});
+  const auto reference =
+      reference::render(scene, volume->volume, reference_settings(*volume, settings));
   const BytePicture expected = to_bytes(reference.picture);
   const Disagreements disagreements(gpu.view(), reference.rays, settings.picture_size_px);
   const int reach = std::max(reach_of_branch(scene.context, scene, settings.resolution_scale),

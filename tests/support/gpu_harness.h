@@ -42,6 +42,9 @@ Scene scene_for(const Json& document, const std::shared_ptr<const LoadedVolume>&
 /// Full size, rgba, one ray a pixel.
 RenderSettings settings_for(const Scene& scene);
 
+/// With which the reference draws the same.
+reference::Settings reference_settings(const LoadedVolume& volume, const RenderSettings& settings);
+
 struct Tolerance {
   double mean = 0.0;           ///< in 1/255
   double share_above_2 = 0.0;  ///< of the pixels

@@ -80,18 +80,17 @@ RayLayers cutaway_layers(const Ray& ray, const Accumulation& accumulation, const
   double transmittance = 1.0;
   const auto parts = ray.cutaway_parts();
   accumulation.add(parts[0], transmittance, layers);
-  const bool met_before_lens = layers.context.is_met;
   const bool reaches_lens = !parts[1].stretch.is_empty() && transmittance > kLeastTransmittance;
   accumulation.add(parts[1], transmittance, layers);
   accumulation.add(parts[2], transmittance, layers);
   layers.context.is_behind_lens =
-      layers.context.is_met && !met_before_lens && !parts[1].stretch.is_empty();
+      layers.context.is_met && ray.is_behind_lens(layers.context.nearest.distance_mm);
   const bool taken = reaches_lens ? ray.goes_on_outside(parts[1], scene.focus.surface.band)
                                   : layers.context.is_met;
   layers.focus.within_outline = layers.focus.is_met || taken;
   RayPart context_in_lens = ray.whole(BranchName::context);
-  context_in_lens.stretch = parts[1].stretch;
-  context_in_lens.starts_open = parts[1].stretch.begin_mm == 0.0;
+  context_in_lens.stretch = ray.taken_from_context();
+  context_in_lens.starts_open = context_in_lens.stretch.begin_mm == 0.0;
   layers.context.within_outline =
       layers.context.is_met || layers.focus.is_met ||
       (!context_in_lens.stretch.is_empty() &&

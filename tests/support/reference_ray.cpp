@@ -10,12 +10,14 @@ Ray::Ray(const Scene& scene, const Volume& volume, const ViewRay& ray, double st
     : camera_(scene.camera),
       scene_lens_(scene.lens),
       lens_(scene.lens),
+      funnel_(scene.lens, scene.camera),
       volume_(volume),
       ray_(ray),
       to_index_(patient_to_index(volume.geometry)),
       step_mm_(step_mm),
       picture_height_px_(picture_height_px),
-      box_(box_interval()) {}
+      box_(box_interval()),
+      funnel_end_mm_(clear_mm()) {}
 
 glm::dvec3 Ray::position_mm(double distance_mm) const {
   return ray_.origin_mm + distance_mm * ray_.direction;
@@ -78,21 +80,47 @@ RayPart Ray::whole(BranchName branch) const {
   return {branch, box_, box_face(), box_.begin_mm == 0.0};
 }
 
-std::array<RayPart, 3> Ray::cutaway_parts() const {
+/// Where there is a funnel no ray meets context before the lens.
+double Ray::clear_mm() const {
+  const Interval lens = lens_interval();
+  const double before_lens_mm = lens.is_empty() ? 0.0 : lens.begin_mm;
+  return scene_lens_.opening == LensOpening::funnel ? std::max(funnel_.end_mm(ray_), before_lens_mm)
+                                                    : 0.0;
+}
+
+Interval Ray::lens_interval() const {
   Interval lens = lens_.interval(ray_);
   lens = {std::max(lens.begin_mm, box_.begin_mm), std::min(lens.end_mm, box_.end_mm)};
-  if (lens.is_empty()) lens = {box_.end_mm, box_.end_mm};
+  return lens.is_empty() ? Interval{box_.end_mm, box_.end_mm} : lens;
+}
+
+std::array<RayPart, 3> Ray::cutaway_parts() const {
+  const Interval lens = lens_interval();
   std::array<RayPart, 3> parts = {whole(BranchName::context), whole(BranchName::focus),
                                   whole(BranchName::context)};
   parts[0].stretch.end_mm = lens.begin_mm;
   parts[1].stretch = lens;
   parts[2].stretch.begin_mm = lens.end_mm;
+  for (const int outside : {0, 2})
+    parts[outside].stretch.begin_mm = std::max(parts[outside].stretch.begin_mm, funnel_end_mm_);
   for (RayPart& part : parts) {
     if (part.stretch.begin_mm <= box_.begin_mm) continue;
     part.face = lens_face(part.stretch.begin_mm);
     part.starts_open = scene_lens_.cap == LensCap::open;
   }
   return parts;
+}
+
+bool Ray::is_behind_lens(double distance_mm) const {
+  const Interval lens = lens_interval();
+  const bool is_funnels_cut = funnel_end_mm_ > box_.begin_mm && distance_mm <= funnel_end_mm_;
+  return (!lens.is_empty() && distance_mm >= lens.end_mm) || is_funnels_cut;
+}
+
+Interval Ray::taken_from_context() const {
+  const Interval lens = lens_interval();
+  if (funnel_end_mm_ <= box_.begin_mm) return lens;
+  return {box_.begin_mm, std::max(lens.is_empty() ? 0.0 : lens.end_mm, funnel_end_mm_)};
 }
 
 double Ray::step_end_mm(double distance_mm, const Interval& stretch) const {
@@ -104,7 +132,8 @@ std::optional<SurfaceHit> Ray::first_surface(const RayPart& part, const ValueBan
   double near_mm = part.stretch.begin_mm;
   int side = band.side(value(near_mm));
   if (side == 0 && !part.starts_open)
-    return SurfaceHit{near_mm, part.face ? *part.face : gradient_normal(near_mm)};
+    return SurfaceHit{near_mm, part.face ? *part.face : gradient_normal(near_mm),
+                      part.face.has_value()};
   while (near_mm < part.stretch.end_mm) {
     const double far_mm = step_end_mm(near_mm, part.stretch);
     const int side_there = band.side(value(far_mm));
@@ -148,8 +177,9 @@ glm::dvec3 Ray::gradient_normal(double distance_mm) const {
 }
 
 std::optional<glm::dvec3> Ray::lens_face(double distance_mm) const {
-  if (scene_lens_.cap != LensCap::flat) return std::nullopt;
-  return facing(lens_.normal(position_mm(distance_mm)));
+  if (scene_lens_.cap != LensCap::flat && scene_lens_.cap != LensCap::section) return std::nullopt;
+  const glm::dvec3 at_mm = position_mm(distance_mm);
+  return facing(distance_mm == funnel_end_mm_ ? funnel_.normal(at_mm) : lens_.normal(at_mm));
 }
 
 glm::dvec3 Ray::box_face() const {

@@ -7,6 +7,7 @@
 
 #include "scene/scene.h"
 #include "scene/view_geometry.h"
+#include "support/reference_funnel.h"
 #include "support/reference_lens.h"
 #include "volume/volume.h"
 
@@ -25,6 +26,7 @@ struct RayPart {
 struct SurfaceHit {
   double distance_mm = 0.0;
   glm::dvec3 normal{0.0};
+  bool is_cut = false;  ///< a face of the lens, the funnel or the volume's box
 };
 
 class Ray {
@@ -42,9 +44,13 @@ class Ray {
   double step_end_mm(double distance_mm, const Interval& stretch) const;
 
   RayPart whole(BranchName branch) const;
-  /// In front of the cutaway's lens, inside, behind.
+  /// In front of the cutaway's lens, inside, behind; a funnel takes of the first and the last.
   std::array<RayPart, 3> cutaway_parts() const;
   bool is_under_lens() const;
+  /// Whether the context that is met there is seen through the lens or the funnel's cut.
+  bool is_behind_lens(double distance_mm) const;
+  /// What of the context the lens and the funnel take away; empty: nothing.
+  Interval taken_from_context() const;
   /// Whether the band is met just before or behind the lens: then the lens has cut it off.
   bool goes_on_outside(const RayPart& in_lens, const ValueBand& band) const;
 
@@ -56,6 +62,8 @@ class Ray {
   glm::dvec3 index_at(double distance_mm) const;
   glm::dvec3 facing(glm::dvec3 normal) const;
   Interval box_interval() const;
+  Interval lens_interval() const;
+  double clear_mm() const;
   double rim_depth_mm(const RayPart& in_lens) const;
   double bisect(double near_mm, double far_mm, const ValueBand& band) const;
   std::optional<glm::dvec3> lens_face(double distance_mm) const;
@@ -64,12 +72,14 @@ class Ray {
   const Camera& camera_;
   const Lens& scene_lens_;
   ReferenceLens lens_;
+  ReferenceFunnel funnel_;
   const Volume& volume_;
   ViewRay ray_;
   glm::dmat4 to_index_;
   double step_mm_;
   int picture_height_px_;
   Interval box_;
+  double funnel_end_mm_;
 };
 
 }  // namespace cutaway::reference

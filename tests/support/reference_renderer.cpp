@@ -6,17 +6,12 @@
 #include "scene/relative_lengths.h"
 #include "scene/view_geometry.h"
 #include "support/reference_filters.h"
-#include "support/reference_shading.h"
+#include "support/reference_looks.h"
+#include "support/reference_pixels.h"
 
 namespace cutaway::reference {
 
 namespace {
-
-ViewRay ray_of(const Scene& scene, glm::ivec2 at, glm::ivec2 size_px) {
-  const glm::dvec2 viewport(scene.viewport.width_px, scene.viewport.height_px);
-  return ray_through(scene.camera, scene.viewport,
-                     (glm::dvec2(at) + 0.5) * viewport / glm::dvec2(size_px));
-}
 
 Image<RayLayers> cast_rays(const Scene& scene, const Volume& volume, const Settings& settings) {
   Image<RayLayers> rays(settings.picture_size_px * settings.supersampling);
@@ -28,58 +23,6 @@ Image<RayLayers> cast_rays(const Scene& scene, const Volume& volume, const Setti
                               settings.picture_size_px.y);
   }
   return rays;
-}
-
-/// Another ray of the same surface, as far as depths tell.
-bool is_beside(const Image<RayLayers>& rays, glm::ivec2 there, const BranchLayers& here,
-               BranchLayers RayLayers::*branch, double ray_mm) {
-  if (!rays.contains(there)) return false;
-  const BranchLayers& other = rays.at(there).*branch;
-  return other.is_met &&
-         std::abs(other.nearest.distance_mm - here.nearest.distance_mm) < 4.0 * ray_mm;
-}
-
-glm::dvec3 turning(const Image<RayLayers>& rays, glm::ivec2 at, glm::ivec2 along,
-                   BranchLayers RayLayers::*branch, double ray_mm) {
-  const BranchLayers& here = rays.at(at).*branch;
-  glm::dvec3 sum(0.0);
-  int sides = 0;
-  for (const int side : {-1, 1}) {
-    if (!is_beside(rays, at + side * along, here, branch, ray_mm)) continue;
-    const glm::dvec3 there = (rays.at(at + side * along).*branch).nearest.normal;
-    sum += double(side) * (there - here.nearest.normal);
-    ++sides;
-  }
-  return sum / std::max(double(sides), 1.0);
-}
-
-/// Of neighbouring rays, at that distance.
-double ray_spacing_mm(const Camera& camera, int rays_high, double distance_mm) {
-  return camera.projection == Projection::orthographic
-             ? camera.view_height_mm / rays_high
-             : 2.0 * std::tan(0.5 * glm::radians(camera.vertical_fov_degrees)) * distance_mm /
-                   rays_high;
-}
-
-/// Shades again where the branch's tone has a soft step: of that the neighbours' normals are part.
-void soften(const Scene& scene, const Branch& described, BranchLayers RayLayers::*branch,
-            const Settings& settings, Image<RayLayers>& rays) {
-  const Module shading = in_pixels(described.shading, scene.viewport.height_px);
-  const bool is_layered = scene.context.surface.opacity < 1.0 || scene.focus.surface.opacity < 1.0;
-  if (is_layered || shading.parameters.value("softness", 0.0) == 0.0) return;
-  const glm::dvec3 to_light = light_direction_patient(scene.light, scene.camera);
-  for (int y = 0; y < rays.size_px.y; ++y) {
-    for (int x = 0; x < rays.size_px.x; ++x) {
-      BranchLayers& layers = rays.at({x, y}).*branch;
-      if (!layers.is_met) continue;
-      const double ray_mm =
-          ray_spacing_mm(scene.camera, rays.size_px.y, layers.nearest.distance_mm);
-      layers.colour = shade_turning(shading, layers.nearest.normal, to_light,
-                                    turning(rays, {x, y}, {1, 0}, branch, ray_mm),
-                                    turning(rays, {x, y}, {0, 1}, branch, ray_mm),
-                                    settings.resolution_scale * settings.supersampling);
-    }
-  }
 }
 
 /// The mean of the rays of one pixel.
@@ -156,8 +99,12 @@ glm::dvec3 composite(const Scene& scene, const BranchPixel& context, const Branc
 
 Result render(const Scene& scene, const Volume& volume, const Settings& settings) {
   Result result{cast_rays(scene, volume, settings), ColourImage(settings.picture_size_px)};
-  soften(scene, scene.context, &RayLayers::context, settings, result.rays);
-  soften(scene, scene.focus, &RayLayers::focus, settings, result.rays);
+  look_again(scene, volume,
+             {.supersampling = settings.supersampling,
+              .rays_a_pixel = settings.resolution_scale * settings.supersampling,
+              .tissues = settings.tissues,
+              .light = settings.light},
+             result.rays);
   const BranchImage context =
       draw_branch(scene, scene.context, result.rays, &RayLayers::context, settings);
   const BranchImage focus =

@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 #include "support/reference_image.h"
 #include "support/reference_layers.h"
+#include "support/reference_looks.h"
 #include "volume/volume.h"
 
 namespace cutaway::reference {
@@ -15,6 +16,8 @@ struct Settings {
   double resolution_scale = 1.0;
   int supersampling = 1;
   double step_voxels = 1.0;
+  Tissues tissues = {};
+  LightRays light = {};
 };
 
 struct Result {

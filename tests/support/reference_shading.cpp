@@ -23,9 +23,9 @@ double tone_lookup(const Json& parameters, double cosine) {
   return std::clamp(u, 0.0, 1.0);
 }
 
-glm::dvec3 tone(const Json& parameters, double cosine) {
-  const double position =
-      tone_position(tone_lookup(parameters, cosine), parameters.at("detail").get<double>());
+glm::dvec3 tone(const Json& parameters, double cosine, double light_share) {
+  const double position = tone_position(tone_lookup(parameters, cosine) * light_share,
+                                        parameters.at("detail").get<double>());
   return glm::mix(colour(parameters, "dark"), colour(parameters, "light"), position);
 }
 
@@ -57,28 +57,30 @@ double highlight(const Json& parameters, glm::dvec3 normal, glm::dvec3 to_light,
 }
 
 glm::dvec3 phong(const Json& parameters, glm::dvec3 normal, glm::dvec3 to_light,
-                 glm::dvec3 to_viewer) {
-  const double lit =
-      parameters.at("ambient").get<double>() +
-      parameters.at("diffuse").get<double>() * std::max(0.0, glm::dot(normal, to_light));
-  const double spot =
-      parameters.at("specular").get<double>() * highlight(parameters, normal, to_light, to_viewer);
+                 glm::dvec3 to_viewer, double light_share) {
+  const double lit = parameters.at("ambient").get<double>() +
+                     parameters.at("diffuse").get<double>() * light_share *
+                         std::max(0.0, glm::dot(normal, to_light));
+  const double spot = parameters.at("specular").get<double>() * light_share *
+                      highlight(parameters, normal, to_light, to_viewer);
   return glm::clamp(colour(parameters, "colour") * lit + spot, 0.0, 1.0);
 }
 
-glm::dvec3 gooch(const Json& parameters, double cosine) {
+glm::dvec3 gooch(const Json& parameters, double cosine, double light_share) {
   const auto value = [&](const char* name) { return parameters.at(name).get<double>(); };
   const glm::dvec3 surface = colour(parameters, "colour");
   const glm::dvec3 cool = glm::dvec3(0.0, 0.0, value("blue")) + value("alpha") * surface;
   const glm::dvec3 warm =
       glm::dvec3(value("yellow"), value("yellow"), 0.0) + value("beta") * surface;
-  return glm::clamp(glm::mix(cool, warm, std::clamp((1.0 + cosine) / 2.0, 0.0, 1.0)), 0.0, 1.0);
+  return glm::clamp(glm::mix(cool, warm, light_share * std::clamp((1.0 + cosine) / 2.0, 0.0, 1.0)),
+                    0.0, 1.0);
 }
 
 /// A smooth step of the half-Lambert term's power mixed in, then along the six colours.
-glm::dvec3 ramp(const Json& parameters, double cosine) {
+glm::dvec3 ramp(const Json& parameters, double cosine, double light_share) {
   const auto value = [&](const char* name) { return parameters.at(name).get<double>(); };
-  const double term = std::pow(std::clamp(0.5 + 0.5 * cosine, 0.0, 1.0), value("gamma"));
+  const double term =
+      light_share * std::pow(std::clamp(0.5 + 0.5 * cosine, 0.0, 1.0), value("gamma"));
   const double begin = value("step_at") - value("step_width") / 2.0;
   const double along = std::clamp((term - begin) / value("step_width"), 0.0, 1.0);
   const double stepped = along * along * (3.0 - 2.0 * along);
@@ -96,25 +98,29 @@ double tone_position(double u, double detail) {
 }
 
 glm::dvec3 shade(const Module& shading, glm::dvec3 normal, glm::dvec3 to_light,
-                 glm::dvec3 to_viewer) {
-  if (shading.name == "tone") return tone(shading.parameters, glm::dot(normal, to_light));
-  if (shading.name == "gooch") return gooch(shading.parameters, glm::dot(normal, to_light));
-  if (shading.name == "ramp") return ramp(shading.parameters, glm::dot(normal, to_light));
-  if (shading.name == "phong") return phong(shading.parameters, normal, to_light, to_viewer);
+                 glm::dvec3 to_viewer, double light_share) {
+  const Json& parameters = shading.parameters;
+  const double cosine = glm::dot(normal, to_light);
+  if (shading.name == "tone") return tone(parameters, cosine, light_share);
+  if (shading.name == "gooch") return gooch(parameters, cosine, light_share);
+  if (shading.name == "ramp") return ramp(parameters, cosine, light_share);
+  if (shading.name == "phong") return phong(parameters, normal, to_light, to_viewer, light_share);
   throw std::logic_error("the reference has no shading model " + shading.name);
 }
 
 glm::dvec3 shade_turning(const Module& shading, glm::dvec3 normal, glm::dvec3 to_light,
-                         glm::dvec3 across, glm::dvec3 down, double rays_a_pixel) {
+                         glm::dvec3 across, glm::dvec3 down, double rays_a_pixel,
+                         double light_share) {
   const Json& parameters = shading.parameters;
   const double cosine = glm::dot(normal, to_light);
   const double step =
       parameters.at("lambert") == "half" ? parameters.at("terminator").get<double>() : 0.5;
   const glm::dvec2 a_ray(glm::dot(across, to_light), glm::dot(down, to_light));
   const double width = std::max(1.0, parameters.at("softness").get<double>() * rays_a_pixel);
-  const double lit = glm::length(a_ray) > 0.0 ? lit_share((cosine - step) / width, a_ray)
-                                              : (cosine < step ? 0.0 : 1.0);
-  const double u = tone_lookup(parameters, cosine);
+  double lit = glm::length(a_ray) > 0.0 ? lit_share((cosine - step) / width, a_ray)
+                                        : (cosine < step ? 0.0 : 1.0);
+  const double u = tone_lookup(parameters, cosine) * light_share;
+  if (light_share < 1.0) lit = std::min(lit, std::clamp(0.5 + 20.0 * (u - 0.5), 0.0, 1.0));
   const double detail = parameters.at("detail").get<double>();
   return glm::mix(colour(parameters, "dark"), colour(parameters, "light"),
                   glm::mix(detail * u, 1.0 - detail * (1.0 - u), lit));

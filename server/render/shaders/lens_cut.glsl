@@ -62,8 +62,11 @@ Course course_of(Ray ray, vec2 volume_mm) {
 #if LENS_MODE == LENS_CUTAWAY
   vec2 lens_mm = lens_interval(ray.origin_mm, ray.direction);
   vec2 within = vec2(max(lens_mm.x, volume_mm.x), min(lens_mm.y, volume_mm.y));
+  float clear_mm = funnel_exit_mm(ray.origin_mm, ray.direction);
+  // No more than a ball's half lies within the funnel: whatever reaches out of it, rays come to the lens without context.
+  if (funnel_radius_mm > 0.0 && within.y > within.x) clear_mm = max(clear_mm, within.x);
   if (within.y <= within.x) within = volume_mm.yy;
-  return Course(volume_mm, within, funnel_exit_mm(ray.origin_mm, ray.direction));
+  return Course(volume_mm, within, clear_mm);
 #else
   return outside_lens(volume_mm);
 #endif

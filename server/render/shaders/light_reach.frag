@@ -82,13 +82,15 @@ float end_in_volume_mm(LightRay ray) {
   return max(min(min(ends.x, ends.y), ends.z), 0.0);
 }
 
-// Distance to the first thing in the way; beyond the range where there is none.
+// Distance to the first thing in the way; beyond the range where there is none. The last sample lies at the range's end,
+// whatever the turn: a wall that begins just before it counts, too.
 float blocked_at_mm(LightRay ray, float length_mm, int count, float turn) {
   float end_mm = min(length_mm, end_in_volume_mm(ray));
+  float per_sample = 1.0 / max(float(count) - 1.0 + turn, 1e-3);
   float at_mm = 0.0;
   bool blocked = false;
   for (int i = 0; i < count && !blocked && at_mm <= end_mm; ++i) {
-    at_mm = start_mm + (length_mm - start_mm) * pow((float(i) + turn) / float(count), SPACING);
+    at_mm = min(start_mm + (length_mm - start_mm) * pow((float(i) + turn) * per_sample, SPACING), length_mm);
     blocked = at_mm <= end_mm && is_blocked(ray, at_mm);
   }
   return blocked ? at_mm : 2.0 * length_mm;
