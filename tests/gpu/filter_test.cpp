@@ -42,6 +42,9 @@ TEST(Filters, AreTheReferencesOnRandomPictures) {
       filter_module("canny", {{"high", 0.4}}),
       filter_module("luminance_quantisation"),
       filter_module("luminance_quantisation", {{"bins", 3}}),
+      filter_module("hatching"),
+      filter_module("hatching", {{"direction", "parallel"}, {"angle_degrees", 30}, {"wash", 0.4}}),
+      filter_module("hatching", {{"width", 3.1}, {"length", 9}, {"cross_from", 0.2}}),
       filter_module("depth_lines"),
       filter_module("depth_lines",
                     {{"width", 5.5}, {"gap_mm", 6}, {"full_gap_mm", 30}, {"silhouettes", false}})};
