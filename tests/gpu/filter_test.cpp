@@ -12,8 +12,9 @@ using reference::BranchImage;
 /// Of one pixel: places that follow the picture's edges are rounded to pixels, and rounding may
 /// take the one beside.
 double tolerance_of(const Module& filter) {
-  return filter.name == "anisotropic_kuwahara" || filter.name == "fdog" ? 16.0 / 255.0
-                                                                        : 1.0 / 255.0;
+  const bool follows =
+      filter.name == "anisotropic_kuwahara" || filter.name == "fdog" || filter.name == "hatching";
+  return follows ? 16.0 / 255.0 : 1.0 / 255.0;
 }
 
 TEST(Filters, AreTheReferencesOnRandomPictures) {

@@ -74,7 +74,7 @@ class Hatching {
         length_px_(std::max(number("length") * resolution_scale, 2.0 * width_px_)),
         angle_(glm::radians(number("angle_degrees"))),
         flows_(input.size_px) {
-    const double apart_px = std::max(0.6 * width_px_, 0.1);
+    const double apart_px = std::max(0.6 * width_px_, 1.0);
     samples_ = std::clamp(static_cast<int>(std::ceil(0.5 * length_px_ / apart_px)), 1, 32);
     step_px_ = 0.5 * length_px_ / samples_;
     follows_ = parameters.at("direction") == "curvature";
@@ -235,7 +235,7 @@ class Hatching {
                               glm::dot(down, down), 1.0};
       }
     }
-    turning = blurred(turning, 0.2 * length_px_);
+    turning = blurred(turning, 0.3 * length_px_);
     for (int y = 0; y < input_.size_px.y; ++y) {
       for (int x = 0; x < input_.size_px.x; ++x)
         flows_.at({x, y}) = is_form({x, y})
@@ -262,7 +262,7 @@ class Hatching {
     const double all = ss + ll;
     const double apart = std::hypot(ss - ll, 2.0 * sl) / std::max(all, 1e-12);
     const double lost =
-        all * std::max(0.35 - apart, 0.0) + std::max(std::pow(0.15 / length_px_, 2.0) - all, 0.0);
+        all * std::max(0.5 - apart, 0.0) + std::max(std::pow(0.25 / length_px_, 2.0) - all, 0.0);
     const glm::dvec2 fallback =
         glm::normalize(glm::dvec2(glm::dot(usual(), slope) / facing, glm::dot(usual(), level)));
     ss += lost * fallback.x * fallback.x;

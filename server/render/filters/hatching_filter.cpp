@@ -25,8 +25,9 @@ constexpr WorkTexture kRows{WorkFormat::rgba32f, 3};
 constexpr WorkTexture kFlows = kRows;  // which are done with by then
 
 /// Of a stroke's length, by what the turning is smoothed.
-constexpr double kSmoothingShare = 0.2;
-/// Samples of the noise on a way lie no farther apart, in widths, but are no more than these.
+constexpr double kSmoothingShare = 0.3;
+/// Samples of the noise on a way lie no farther apart, in widths, unless that is less than a pixel,
+/// but are no more than these.
 constexpr double kSampleWidths = 0.6;
 constexpr int kMostSamples = 32;
 
@@ -42,7 +43,7 @@ Strokes strokes_of(const Json& parameters, double resolution_scale) {
   const double whole_px =
       std::max(length_px(parameters, "length", resolution_scale), 2.0 * width_px);
   const int samples = std::clamp(
-      static_cast<int>(std::ceil(0.5 * whole_px / std::max(kSampleWidths * width_px, 0.1))), 1,
+      static_cast<int>(std::ceil(0.5 * whole_px / std::max(kSampleWidths * width_px, 1.0))), 1,
       kMostSamples);
   return {width_px, whole_px, samples, 0.5 * whole_px / samples};
 }

@@ -14,8 +14,8 @@ uniform float length_px;
 layout(location = 0) out vec4 flow;  // x, y, unit; 1 where there is one; 0
 
 const float STEEPEST = 0.15;  // of a normal to the viewer, beyond which the picture says little
-const float ALIKE = 0.35;     // difference of the curvatures' squares, as a share of their sum
-const float FLAT = 0.15;      // angle by which a near flat surface turns along a stroke
+const float ALIKE = 0.5;      // difference of the curvatures' squares, as a share of their sum
+const float FLAT = 0.25;      // angle by which a near flat surface turns along a stroke
 
 // Of the symmetric matrix xx, xy, yy.
 mat2 matrix_of(vec3 t) { return mat2(t.x, t.y, t.y, t.z); }
