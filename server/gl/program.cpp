@@ -112,6 +112,9 @@ void Program::offer(const char* name, float value) const {
 void Program::offer(const char* name, int value) const {
   if (uses(name)) set(name, value);
 }
+void Program::offer(const char* name, const glm::vec2& value) const {
+  if (uses(name)) set(name, value);
+}
 void Program::offer(const char* name, const glm::vec3& value) const {
   if (uses(name)) set(name, value);
 }

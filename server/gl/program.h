@@ -33,6 +33,7 @@ class Program {
   /// The same where the program uses it at all: for what only some of several programs read.
   void offer(const char* name, float value) const;
   void offer(const char* name, int value) const;
+  void offer(const char* name, const glm::vec2& value) const;
   void offer(const char* name, const glm::vec3& value) const;
 
   /// Binds a texture to a unit and a sampler uniform to that unit.

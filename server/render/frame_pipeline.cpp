@@ -94,10 +94,14 @@ std::uint64_t FramePipeline::picture_of_volume(ViewState& view, const Scene& sce
       settings.skip_empty_space
           ? volume.occupied_part(scene.context.surface.band, scene.focus.surface.band)
           : volume.volume().geometry;
-  const Draft draft{
-      view, *view.buffers_, settings, view_regions(scene, part, settings), scene.viewport.height_px,
-      plan};
   RayCastKey rays = ray_cast_key(scene, volume, settings);
+  const Draft draft{view,
+                    *view.buffers_,
+                    settings,
+                    view_regions(scene, part, settings),
+                    scene.viewport.height_px,
+                    rays.rays,
+                    plan};
   rays.entry_version = find_entries(draft, rays, volume);
   const std::uint64_t surface = cast_rays(draft, rays, volume);
   const auto branch = [&](BranchIndex index, const Branch& described) {
@@ -298,12 +302,13 @@ std::vector<Pass> FramePipeline::filter_steps(const Draft& draft, BranchIndex in
          .cost = step.cost,
          .begin = {},
          .draw = [this, key, step, &buffers, &work, &input, &surface, &target,
-                  is_cut = index == kContext](const gl::PixelRect& strip) {
+                  is_cut = index == kContext, rays = draft.rays](const gl::PixelRect& strip) {
            filter_pass_.run(key, step,
                             {.colour = input,
                              .silhouette = buffers.silhouette,
                              .surface = surface,
-                             .is_cut = is_cut},
+                             .is_cut = is_cut,
+                             .rays = rays},
                             {target.framebuffer, work}, strip, triangle_);
          }});
   }

@@ -111,6 +111,7 @@ class FramePipeline {
     const RenderSettings& settings;
     ViewRegions regions;
     int viewport_height_px;
+    ViewRays rays;
     FramePlan& plan;
   };
   /// A branch's last picture and how to know that it changed.

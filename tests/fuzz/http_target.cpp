@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/check.h"
+#include "core/log.h"
 #include "fuzz/planted_fault.h"
 #include "unit/net/test_server.h"
 
@@ -79,8 +80,10 @@ class Connection {
   int socket_ = socket(AF_INET, SOCK_STREAM, 0);
 };
 
-/// Its clocks stand still: what ends a connection here is what came over it.
+/// Its clocks stand still: what ends a connection here is what came over it. The log is made before
+/// it, to be there as long: the server's end says a word.
 testing::TestServer& server() {
+  log();
   static testing::TestServer server = [] {
     constexpr std::chrono::hours kNever{24};
     NetSettings settings = testing::test_settings();

@@ -29,6 +29,15 @@ Module filter(const Json& document) {
   return module;
 }
 
+/// Right and down are the first two axes.
+const ViewRays kFromAbove{.eye_mm = glm::vec3(0.0F),
+                          .view_forward = {0.0F, 0.0F, -1.0F},
+                          .view_right = {1.0F, 0.0F, 0.0F},
+                          .view_up = {0.0F, -1.0F, 0.0F},
+                          .is_perspective = false,
+                          .patient_to_volume = glm::mat3(1.0F),
+                          .eye_in_volume = glm::vec3(0.0F)};
+
 }  // namespace
 
 double representable(double value) { return std::round(value * 1024.0) / 1024.0; }
@@ -61,7 +70,7 @@ BranchImage filtered_on_gpu(const BranchImage& input, const Module& filter) {
   const FilterPlan plan = FilterPass::plan(key);
   const FilterWork work(FilterPass::work_needs(plan), size);
   for (const FilterStep& step : plan.steps)
-    pass.run(key, step, {colour, silhouette, surface, true}, {target, work},
+    pass.run(key, step, {colour, silhouette, surface, true, kFromAbove}, {target, work},
              FilterPass::region_of_step(step, whole, size), triangle);
   std::vector<glm::vec4> result(input.pixels.size());
   glGetTextureImage(output.name(), 0, GL_RGBA, GL_FLOAT,
@@ -130,6 +139,7 @@ BranchImage random_picture(unsigned seed, glm::ivec2 size) {
         glm::normalize(glm::dvec3(level(random), level(random), level(random)) - 0.4),
         300.0 + 40.0 * level(random),
         level(random) < 0.3 ? 1.0 : 0.0};
+    pixel.seen_normal = pixel.normal;
     pixel.nearest_mm = pixel.depth_mm;
   }
   return image;

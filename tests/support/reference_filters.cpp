@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "support/reference_brightness.h"
+#include "support/reference_hatching.h"
 
 namespace cutaway::reference {
 
@@ -164,6 +165,7 @@ BranchImage apply_filter(const BranchImage& input, const Module& filter, double 
                                .full_gap_mm = number("full_gap_mm"),
                                .silhouettes = parameters.at("silhouettes").get<bool>()});
   }
+  if (filter.name == "hatching") return hatching(input, parameters, resolution_scale);
   if (filter.name == "sobel") {
     return sobel(input, {.strength = parameters.at("strength").get<double>(),
                          .mode = parameters.at("mode").get<std::string>(),

@@ -14,8 +14,9 @@ struct BranchPixel {
   double silhouette_coverage = 0.0;
   glm::dvec3 normal{0.0};
   double depth_mm = 0.0;
-  double behind_lens = 0.0;  ///< share of them
-  double nearest_mm = 0.0;   ///< depth of the nearest of them
+  double behind_lens = 0.0;     ///< share of them
+  double nearest_mm = 0.0;      ///< depth of the nearest of them
+  glm::dvec3 seen_normal{0.0};  ///< the normal's shares to the right, down and towards the camera
 };
 
 /// Rows top first.

@@ -54,6 +54,12 @@ BranchPixel resolve(const Image<RayLayers>& rays, glm::ivec2 pixel, BranchLayers
   return result;
 }
 
+void see_normals(const CameraAxes& axes, BranchImage& image) {
+  for (BranchPixel& pixel : image.pixels)
+    pixel.seen_normal = {glm::dot(pixel.normal, axes.right), -glm::dot(pixel.normal, axes.up),
+                         glm::dot(pixel.normal, axes.backward)};
+}
+
 BranchImage draw_branch(const Scene& scene, const Branch& described, const Image<RayLayers>& rays,
                         BranchLayers RayLayers::*branch, const Settings& settings) {
   BranchImage image(settings.picture_size_px);
@@ -61,6 +67,7 @@ BranchImage draw_branch(const Scene& scene, const Branch& described, const Image
     for (int x = 0; x < image.size_px.x; ++x)
       image.at({x, y}) = resolve(rays, {x, y}, branch, settings.supersampling);
   }
+  see_normals(camera_axes(scene.camera), image);
   for (const Module& filter : described.filters)
     image =
         apply_filter(image, in_pixels(filter, scene.viewport.height_px), settings.resolution_scale);

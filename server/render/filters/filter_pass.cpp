@@ -16,6 +16,14 @@ const ImageFilter& find_filter(const std::string& name) {
   return *found;
 }
 
+/// For filters that ask from where a surface is seen, or for places of the whole picture.
+void offer_view(const gl::Program& program, const ViewRays& rays) {
+  program.offer("view_right", glm::normalize(rays.view_right));
+  program.offer("view_down", -glm::normalize(rays.view_up));
+  program.offer("view_backward", -rays.view_forward);
+  program.offer("first_px", rays.first_px);
+}
+
 }  // namespace
 
 FilterPass::FilterPass(const gl::ShaderLibrary& shaders) {
@@ -59,6 +67,7 @@ void FilterPass::run(const FilterKey& key, const FilterStep& step, const FilterI
     program.set_texture(name, unit++, target.work.texture(texture).name());
   program.set("supersampling", input.surface.size_px().x / input.colour.size_px().x);
   program.set("is_cut", input.is_cut ? 1 : 0);
+  offer_view(program, input.rays);
   if (step.along != glm::ivec2(0)) program.set("along", step.along);
   entry.filter->set_parameters(program, key.filter.parameters, key.resolution_scale);
   for (const auto& [name, value] : step.numbers) program.set(name, value);

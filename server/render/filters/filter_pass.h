@@ -7,6 +7,7 @@
 #include "gl/framebuffer.h"
 #include "render/filters/image_filter.h"
 #include "render/view_buffers.h"
+#include "render/view_rays.h"
 #include "scene/scene.h"
 
 namespace cutaway {
@@ -25,6 +26,7 @@ struct FilterInput {
   const gl::Texture2D& silhouette;  ///< coverage as if no lens had taken anything away
   const gl::Texture2D& surface;     ///< supersampling^2 texels a pixel
   bool is_cut = false;  ///< the branch is the one that the cutaway's lens cuts: the context
+  ViewRays rays{};      ///< the camera's, and where in the whole picture this part begins
 };
 
 /// Where it draws.

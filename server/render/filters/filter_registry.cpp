@@ -11,6 +11,7 @@ extern const ImageFilter kXdogFilter;
 extern const ImageFilter kFdogFilter;
 extern const ImageFilter kCannyFilter;
 extern const ImageFilter kLuminanceQuantisationFilter;
+extern const ImageFilter kHatchingFilter;
 
 std::span<const ImageFilter> image_filters() {
   static const ImageFilter filters[] = {kKuwaharaFilter,
@@ -21,7 +22,8 @@ std::span<const ImageFilter> image_filters() {
                                         kXdogFilter,
                                         kFdogFilter,
                                         kCannyFilter,
-                                        kLuminanceQuantisationFilter};
+                                        kLuminanceQuantisationFilter,
+                                        kHatchingFilter};
   return filters;
 }
 

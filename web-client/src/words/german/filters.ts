@@ -47,6 +47,13 @@ export const filters: ServedWords['modules'] = {
       'Zeichnet ein Pixel breite Linien auf dem Kamm jeder Kante der Helligkeit: starke, und ' +
       'schwache, zu denen eine starke führt.',
   },
+  'filter.hatching': {
+    title: 'Schraffur (Federzeichnung)',
+    description:
+      'Zeichnet in Tuschestrichen, die umso dichter liegen, je dunkler das Bild ist: entlang der ' +
+      'Krümmung der Oberfläche oder parallel, gekreuzt, wo es dunkel ist, und mit einer eigenen ' +
+      'Schar auf der Wand der Linse.',
+  },
   'filter.luminance_quantisation': {
     title: 'Tontrennung',
     description:
@@ -182,6 +189,53 @@ export const filterParameters: ServedWords['parameters'] = {
   'filter.canny.trail': {
     title: 'Spur',
     description: 'Wie weit von einer starken Kante eine schwache höchstens verfolgt wird.',
+  },
+  'filter.hatching.strength': {
+    title: 'Stärke',
+    description: 'Deckkraft der Zeichnung über den eigenen Farben; 0 ändert nichts.',
+  },
+  'filter.hatching.width': {
+    title: 'Breite',
+    description: 'Eines Strichs, wo das Papier zur Hälfte Tusche ist; 0 ändert nichts.',
+  },
+  'filter.hatching.length': {
+    title: 'Länge',
+    description: 'Eines Strichs; er ist mindestens zwei Breiten lang.',
+  },
+  'filter.hatching.direction': {
+    title: 'Richtung',
+    description:
+      'Krümmung: Striche laufen quer über die Form, dort entlang, wo die Oberfläche am stärksten ' +
+      'gekrümmt ist; wo sie fast eben oder überall gleich gekrümmt ist, parallel. Parallel: alle ' +
+      'Striche.',
+  },
+  'filter.hatching.angle_degrees': {
+    title: 'Winkel',
+    description: 'Paralleler Striche gegen die Waagerechte, gegen den Uhrzeigersinn.',
+  },
+  'filter.hatching.cross_from': {
+    title: 'Gekreuzt ab',
+    description:
+      'Dunkelheit, ab der eine zweite Schar von Strichen die erste kreuzt: 0 ist Weiß, 1 Schwarz, ' +
+      'und bei 1 kreuzt keine.',
+  },
+  'filter.hatching.ink': {
+    title: 'Tusche',
+    description: 'Farbe der Striche. Anzeigekodiertes sRGB.',
+  },
+  'filter.hatching.paper': {
+    title: 'Papier',
+    description: 'Farbe zwischen den Strichen. Anzeigekodiertes sRGB.',
+  },
+  'filter.hatching.wash': {
+    title: 'Lavierung',
+    description: 'Wie viel von der eigenen Farbe auf dem Papier zwischen den Strichen liegt.',
+  },
+  'filter.hatching.wall_darker': {
+    title: 'Dunklere Wand',
+    description:
+      'Wie viel von dem Licht, das die Wand der Linse noch hat, ihr genommen wird, damit sie das ' +
+      'Innere von dem trennt, was davor liegt.',
   },
   'filter.luminance_quantisation.bins': {
     title: 'Stufen',

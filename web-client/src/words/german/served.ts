@@ -34,6 +34,8 @@ export const served: ServedWords = {
     unit: 'Einheit',
     linear: 'Linear',
     cubic: 'Kubisch',
+    curvature: 'Krümmung',
+    parallel: 'Parallel',
   },
   units: { degrees: '°', 'per mm': 'je mm', 'per mille of the height': '‰ der Höhe' },
   volumes: {

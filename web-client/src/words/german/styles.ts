@@ -41,6 +41,11 @@ export const styles: ServedWords['styles'] = {
     description:
       'Um ein Inneres ohne Schnitt zu zeigen: der ganze Fokus über die Haut geblendet, weich zum Rand hin.',
   },
+  'pen-and-ink': {
+    title: 'Federzeichnung',
+    description:
+      'Für den Druck in einer Farbe: weißer Knochen in Strichen entlang seiner Form, Haut in einer Schar von Strichen, und eine dunkle, gekreuzt schraffierte Höhle.',
+  },
   porcelain: {
     title: 'Porzellan',
     description:
