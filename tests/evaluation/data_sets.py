@@ -3,13 +3,14 @@ import json
 import subprocess
 
 CT_UNITS = "HU"
-# As `cutaway info` calls them: their focus is their context's own surface, and a lens has nothing to show.
+# As `cutaway info` calls them: their focus is their context's own surface, and a lens has nothing
+# to show.
 ONE_SURFACE = ("two values (a mask)", "labels", "one value", "noise")
 
 
 def read(cutaway, folder):
-    """The folder's volumes as the server lists them, in its order. Files of many formats name no modality, so each is
-    read."""
+    """The folder's volumes as the server lists them, in its order. Files of many formats name no
+    modality, so each is read."""
     told = subprocess.run([cutaway, "info", "--json", folder], stdout=subprocess.PIPE, check=True)
     return json.loads(told.stdout)["volumes"]
 

@@ -5,8 +5,8 @@ GREY = [128 / 255] * 3
 
 
 def looks(studio):
-    """{condition: the parts of a scene that make its look}. A is the flagship as it is shipped; all that have a lens cut
-    the same away."""
+    """{condition: the parts of a scene that make its look}. A is the flagship as it is shipped; all
+    that have a lens cut the same away."""
     style, phong = studio.styles["flagship"], studio.styles["phong-control"]
     return {
         "A": style,

@@ -1,4 +1,5 @@
-"""A body of known form, smooth and under noise: an ellipsoid with another one in it, written as NRRD."""
+"""A body of known form, smooth and under noise: an ellipsoid with another one in it, written as
+NRRD."""
 from pathlib import Path
 
 import numpy
@@ -12,7 +13,12 @@ BODY_MM, BONE_MM, BONE_AT_MM = (78, 62, 92), (44, 34, 56), (0, -12, 0)
 SURFACES = {
     "focus": {"surface": {"iso_value": 1.5 * CONTRAST}},
     "context": {"surface": {"iso_value": 0.5 * CONTRAST}},
-    "preparation": {"hide_couch": False, "fill_context": False, "focus_islands_ml": 1, "context_islands_ml": 1},
+    "preparation": {
+        "hide_couch": False,
+        "fill_context": False,
+        "focus_islands_ml": 1,
+        "context_islands_ml": 1,
+    },
 }
 VIEW = {
     "camera": {"eye_mm": [0, -420, 0], "target_mm": [0, 0, 0], "up": [0, 0, 1]},
@@ -35,8 +41,12 @@ def _inside(half_axes_mm, centre_mm):
     z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
     parts = [(p - c) / r for p, c, r in zip((x, y, z), centre_mm, half_axes_mm)]
     gauge = numpy.sqrt(sum(part**2 for part in parts))
-    slope = numpy.sqrt(sum((part / r) ** 2 for part, r in zip(parts, half_axes_mm))) / numpy.maximum(gauge, 1e-6)
-    away_mm = (gauge - 1) / numpy.maximum(slope, 1e-6)  # to first order, which is what the blur's reach needs
+    slope = numpy.sqrt(
+        sum((part / r) ** 2 for part, r in zip(parts, half_axes_mm))
+    ) / numpy.maximum(gauge, 1e-6)
+    away_mm = (gauge - 1) / numpy.maximum(
+        slope, 1e-6
+    )  # to first order, which is what the blur's reach needs
     return 1 / (1 + numpy.exp(numpy.clip(1.702 * away_mm / (POINT_SPREAD * SPACING_MM), -50, 50)))
 
 
@@ -44,8 +54,10 @@ def _write_nrrd(path, values):
     first = -(VOXELS - 1) / 2 * SPACING_MM
     s = SPACING_MM
     head = (
-        f"NRRD0004\ntype: int16\ndimension: 3\nspace: left-posterior-superior\nsizes: {VOXELS} {VOXELS} {VOXELS}\n"
-        f"space directions: ({s},0,0) (0,{s},0) (0,0,{s})\nspace origin: ({first},{first},{first})\n"
+        "NRRD0004\ntype: int16\ndimension: 3\nspace: left-posterior-superior\n"
+        f"sizes: {VOXELS} {VOXELS} {VOXELS}\n"
+        f"space directions: ({s},0,0) (0,{s},0) (0,0,{s})\n"
+        f"space origin: ({first},{first},{first})\n"
         "endian: little\nencoding: raw\n\n"
     )
     path.write_bytes(head.encode() + numpy.rint(values).astype("<i2").tobytes())

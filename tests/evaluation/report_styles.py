@@ -19,17 +19,24 @@ def _summary(study):
     figures = sum(len(cell.figures) for cell in study.cells)
     failing = [(cell, name) for cell in study.cells for name in cell.failing()]
     words = [f"{len(failing)} of {figures} figures are beyond their limit, and marked below."]
-    words += [f"{cell.style} on {cell.volume}: {LIMITS[name].text} ({LIMITS[name].told(cell.figures[name])})"
-              for cell, name in failing]  # fmt: skip
+    words += [
+        f"{cell.style} on {cell.volume}: {LIMITS[name].text}; {LIMITS[name].told(cell.figures[name])}"
+        for cell, name in failing
+    ]
     if study.lensless:
         words.append(f"Not measured, as its first scene has no lens: {', '.join(study.lensless)}")
     return "\n".join(words)
 
 
 def _table(name, limit, cells):
-    styles, volumes = (list(dict.fromkeys(getattr(c, k) for c in cells)) for k in ("style", "volume"))
+    styles, volumes = (
+        list(dict.fromkeys(getattr(c, k) for c in cells)) for k in ("style", "volume")
+    )
     figures = {(c.style, c.volume): c.figures[name] for c in cells}
-    return table(("style", *volumes), [(s, *(_cell(figures.get((s, v)), limit) for v in volumes)) for s in styles])
+    return table(
+        ("style", *volumes),
+        [(s, *(_cell(figures.get((s, v)), limit) for v in volumes)) for s in styles],
+    )
 
 
 def _cell(figure, limit):

@@ -79,7 +79,8 @@ class Studio:
         return self._told_scene(lambda told: told["volume"] == volume)
 
     def first_scene(self, volume):
-        """Opens the volume as it appears to somebody who says nothing of how; returns that scene, resolved."""
+        """Opens the volume as it appears to somebody who says nothing of how; returns that scene,
+        resolved."""
         self._volume = volume
         self._client.viewport(SMALL_PX, SMALL_PX)
         sent = self._client.scene({"volume": volume}, replace=True)

@@ -17,10 +17,17 @@ def tones(rgb, masks):
     steps = measures.rim_steps(rgb, masks.skin, cavity)
     if steps.size > FEWEST_PX:
         found["rim"] = float((steps < STEP).mean())
-    level = {name: float(numpy.median(measures.lightness(rgb[m])))
-             for name, m in (("skin", skin), ("wall", wall), ("focus", focus)) if m is not None}  # fmt: skip
+    level = {
+        name: float(numpy.median(measures.lightness(rgb[m])))
+        for name, m in (("skin", skin), ("wall", wall), ("focus", focus))
+        if m is not None
+    }
     if "wall" in level:
-        found |= {f"wall_{other}": abs(level["wall"] - level[other]) for other in ("skin", "focus") if other in level}
+        found |= {
+            f"wall_{other}": abs(level["wall"] - level[other])
+            for other in ("skin", "focus")
+            if other in level
+        }
     if skin is not None:
         found["context_tone"] = measures.spread(measures.luma(rgb[skin]))
         if focus is not None:
@@ -45,17 +52,23 @@ def equal_luma(rgb, masks):
 
 
 def turned_lines(drawn, plain, scene, masks):
-    """drawn, plain: with lines and without, each under two lights."""
-    ink = numpy.where(masks.focus[..., None], *(style_scenes.ink_of(scene[b]) for b in style_scenes.BRANCHES))
+    """drawn, plain: with lines and without, each under two lights. At a picture's border, which is
+    another one where it is a part, filters see less."""
+    ink = numpy.where(
+        masks.focus[..., None], *(style_scenes.ink_of(scene[b]) for b in style_scenes.BRANCHES)
+    )
     shares, told = zip(*(measures.ink_share(d, p, ink) for d, p in zip(drawn, plain, strict=True)))
-    beside_rim = measures.dilated(measures.rim(masks.skin, masks.wall | masks.focus), BESIDE_RIM * drawn[0].shape[0])
-    whole = (masks.skin | masks.wall | masks.focus) & ~beside_rim
-    changed, lines = measures.changed_lines(shares, told, whole)
+    aside_px = round(BESIDE_RIM * drawn[0].shape[0]) + 2
+    rim = measures.rim(masks.skin, masks.wall | masks.focus)
+    where = (masks.skin | masks.wall | masks.focus) & ~measures.dilated(rim, aside_px)
+    where[:, :aside_px] = where[:, -aside_px:] = False
+    changed, lines = measures.changed_lines(shares, told, where)
     return {"turned_lines": changed} if lines > FEWEST_PX else {}
 
 
 def sizes(small, large, small_ink, large_ink, covered):
-    """The same at two heights, and the lines of both alone (1 is ink). covered: of the small one."""
+    """The same at two heights, and the lines of both alone (1 is ink). covered: of the small
+    one."""
     times = large.shape[0] // small.shape[0]
     difference = abs(measures.smaller(large, times) - small)[covered].mean() * 255
     found = {"size": float(difference)}

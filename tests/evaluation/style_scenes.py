@@ -1,6 +1,6 @@
-"""What a style is drawn as beside itself, so that it can be measured: flat colours that tell what each pixel shows, its
-lines alone, its light without them. All are partial scenes that say what they are after any other one.
-"""
+"""What a style is drawn as beside itself, so that it can be measured: flat colours that tell what
+each pixel shows, its lines alone, its light without them. All are partial scenes that say what they
+are after any other one. """
 from dataclasses import dataclass, fields
 
 import numpy
@@ -15,8 +15,9 @@ PURE = 0.98  # a pixel whose share of one kind is larger shows nothing else
 
 @dataclass(frozen=True)
 class Masks:
-    """What each pixel shows and nothing else: context before or beside the lens, the cavity's wall, focus. The faces at
-    which the volume ends are none of these. covered: whatever is not background alone."""
+    """What each pixel shows and nothing else: context before or beside the lens, the cavity's wall,
+    focus. The faces at which the volume ends are none of these. covered: whatever is not background
+    alone."""
 
     skin: object
     wall: object
@@ -44,10 +45,14 @@ def cut_of(scene):
 
 
 def masks(studio, scene, width_px, height_px, pure=PURE):
-    """Of the open volume in a style. pure: the share of its kind that a pixel needs. Faces that are cut get the colours of tissue, and the wall its own over them: so the
-    volume's end is neither skin nor wall."""
+    """Of the open volume in a style. pure: the share of its kind that a pixel needs. Faces that are
+    cut get the colours of tissue, and the wall its own over them: so the volume's end is neither
+    skin nor wall."""
     wall = {"strength": 1, "colour": BLUE, "deepening": 0, "edge_mm": 0}
-    shown = {"lens": {**cut_of(scene), "cap": "section", "wall": wall}, "background": {"colour": BLACK}}
+    shown = {
+        "lens": {**cut_of(scene), "cap": "section", "wall": wall},
+        "background": {"colour": BLACK},
+    }
     studio.change({"focus": flat(GREEN), "context": flat(RED), **shown})
     shares = studio.picture(width_px, height_px)
     skin, focus, wall = (
@@ -70,23 +75,33 @@ def flat(colour):
 def lines_alone(scene):
     """Black on white."""
     ink = {
-        branch: {**flat(WHITE), "filters": [_black(f) for f in scene[branch]["filters"] if is_line(f)]}
+        branch: {
+            **flat(WHITE),
+            "filters": [_black(f) for f in scene[branch]["filters"] if is_line(f)],
+        }
         for branch in BRANCHES
     }
     wall = {"strength": 1, "colour": WHITE, "deepening": 0, "edge_mm": 0}
-    return {**ink, "lens": {**cut_of(scene), "cap": "flat", "wall": wall}, "background": {"colour": WHITE}}
+    return {
+        **ink,
+        "lens": {**cut_of(scene), "cap": "flat", "wall": wall},
+        "background": {"colour": WHITE},
+    }
 
 
 def without_lines(scene):
     return {
-        branch: {"filters": [f for f in scene[branch]["filters"] if not is_line(f)]} for branch in BRANCHES
+        branch: {"filters": [f for f in scene[branch]["filters"] if not is_line(f)]}
+        for branch in BRANCHES
     }
 
 
 def shading_alone(scene):
-    """Of both branches: what the shading model makes of the light, without lines and without other surfaces' shadow."""
+    """Of both branches: what the shading model makes of the light, without lines and without other
+    surfaces' shadow."""
     return {
-        branch: {**scene[branch], **_unshadowed(), **without_lines(scene)[branch]} for branch in BRANCHES
+        branch: {**scene[branch], **_unshadowed(), **without_lines(scene)[branch]}
+        for branch in BRANCHES
     }
 
 
@@ -99,7 +114,9 @@ def ink_of(branch):
     lines = [f for f in branch["filters"] if is_line(f)]
     if not lines:
         return numpy.array(BLACK, float)
-    return numpy.array(WHITE if lines[-1].get("mode") == "brighten" else lines[-1].get("colour", BLACK), float)
+    return numpy.array(
+        WHITE if lines[-1].get("mode") == "brighten" else lines[-1].get("colour", BLACK), float
+    )
 
 
 def _unshadowed():

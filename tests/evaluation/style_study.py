@@ -1,6 +1,6 @@
-"""Every illustration style that shades surfaces behind a cutaway, on every volume whose first scene has such a lens: do its
-tones, rim and lines say what they are to say? One table, held against `style_limits`.
-"""
+"""Every illustration style that shades surfaces behind a cutaway, on every volume whose first scene
+has such a lens: do its tones, rim and lines say what they are to say? One table, held against
+`style_limits`. """
 import tempfile
 from dataclasses import asdict, dataclass
 
@@ -23,7 +23,10 @@ class StyleStudy:
     lensless: list
 
     def as_dict(self):
-        return {**asdict(self), "failing": {f"{c.style} on {c.volume}": c.failing() for c in self.cells if c.failing()}}
+        return {
+            **asdict(self),
+            "failing": {f"{c.style} on {c.volume}": c.failing() for c in self.cells if c.failing()},
+        }
 
 
 def make(studio, cutaway, volumes, extent, progress):
@@ -53,7 +56,7 @@ class _Volume:
         self._studio, self._volume, self._size = studio, volume, size_px
         self._masks = {}
         width, height = size_px
-        stripe_px = round(width / 8 / 2) * 2  # for pictures that cost much
+        stripe_px = round(width / 10 / 2) * 2  # for pictures that cost much
         self._stripe = slice((width - stripe_px) // 2, (width + stripe_px) // 2)
         self._turned = slice(width // 3, width - width // 3)
 
@@ -90,7 +93,10 @@ class _Volume:
         turned = {"light": OTHER_LIGHT}
         return style_figures.turned_lines(
             (drawn[:, middle], self._drawn(scene, turned, size_px=size)),
-            (self._drawn(scene, plain, size_px=size), self._drawn(scene, plain, turned, size_px=size)),
+            (
+                self._drawn(scene, plain, size_px=size),
+                self._drawn(scene, plain, turned, size_px=size),
+            ),
             scene,
             masks.cropped(middle),
         )
@@ -103,7 +109,10 @@ class _Volume:
         return style_figures.sizes(
             drawn[:, stripe],
             self._drawn(scene, size_px=large),
-            *(1 - self._drawn(scene, lines, size_px=s)[..., 1] for s in (self._width_of(stripe), large)),
+            *(
+                1 - self._drawn(scene, lines, size_px=s)[..., 1]
+                for s in (self._width_of(stripe), large)
+            ),
             masks.covered[:, stripe],
         )
 
@@ -118,7 +127,11 @@ class _Volume:
 
 def _toon_cells(cutaway, studio, styles, side_px):
     """Of the styles whose tones have a step."""
-    stepped = [s for s in styles if any(style_scenes.is_stepped(studio.styles[s][b]) for b in style_scenes.BRANCHES)]
+    stepped = [
+        s
+        for s in styles
+        if any(style_scenes.is_stepped(studio.styles[s][b]) for b in style_scenes.BRANCHES)
+    ]
     if not stepped:
         return []
     with tempfile.TemporaryDirectory() as folder:
@@ -133,12 +146,15 @@ def _toon_cell(bodies, style, side_px):
         _toon_lengths(bodies, bodies.styles[style], volume, side_px)
         for volume in (made_bodies.SMOOTH, made_bodies.NOISY)
     )
-    figures = {f"toon_{branch}": noisy[branch] / smooth[branch] for branch in smooth if smooth[branch] > 0}
+    figures = {
+        f"toon_{branch}": noisy[branch] / smooth[branch] for branch in smooth if smooth[branch] > 0
+    }
     return Cell(style, "made body", figures)
 
 
 def _toon_lengths(bodies, style, volume, side_px):
-    """Under the same lens, camera and values: what the noise makes of the first look is another question."""
+    """Under the same lens, camera and values: what the noise makes of the first look is another
+    question."""
     bodies.open(volume)
     for scene in (style, made_bodies.VIEW, made_bodies.SURFACES):
         bodies.change(scene)

@@ -1,11 +1,12 @@
-"""What a picture's tones, rims and lines measure, by the picture and masks alone. Pictures are (height, width, 3) RGB in
-[0, 1], display-encoded sRGB; masks are bool (height, width).
-"""
+"""What a picture's tones, rims and lines measure, by the picture and masks alone. Pictures are
+(height, width, 3) RGB in [0, 1], display-encoded sRGB; masks are bool (height, width). """
 import cv2
 import numpy
 
 REC_709 = numpy.array([0.2126, 0.7152, 0.0722])
-SCALE = 0.01  # of the picture's height: what is seen as texture, and how far beside the rim its step is looked for
+# Of the picture's height: what is seen as texture, and how far beside the rim its step is looked
+# for.
+SCALE = 0.01
 NEAR_RIM_PX = 2  # between skin and cavity lies a pixel that holds some of both
 
 
@@ -27,8 +28,8 @@ def spread(values):
 
 
 def fine_contrast(rgb, mask):
-    """RMS of the luma's deviation from its mean around each pixel of the mask, under a Gaussian of 1 % of the height;
-    what is not in the mask counts nowhere."""
+    """RMS of the luma's deviation from its mean around each pixel of the mask, under a Gaussian of
+    1 % of the height; what is not in the mask counts nowhere."""
     level, sigma = luma(rgb), SCALE * rgb.shape[0]
     weight = mask.astype(numpy.float64)
     around = cv2.GaussianBlur(level * weight, (0, 0), sigma) / numpy.maximum(
@@ -44,9 +45,9 @@ def rim(skin, cavity):
 
 
 def rim_steps(rgb, skin, cavity):
-    """The step in luma across the rim, at each of its pixels: from the mean of the skin beside it to what differs most
-    from that in the cavity, within 1 % of the height. So a pale edge before a dark wall is a step, whatever the
-    mean of both."""
+    """The step in luma across the rim, at each of its pixels: from the mean of the skin beside it
+    to what differs most from that in the cavity, within 1 % of the height. So a pale edge before a
+    dark wall is a step, whatever the mean of both."""
     at, reach_px = rim(skin, cavity), NEAR_RIM_PX + max(round(SCALE * rgb.shape[0]), 1)
     outside = _mean_within(luma(rgb), skin, reach_px)
     inside = numpy.where(cavity, _mean_within(luma(rgb), cavity, 1), numpy.nan)
@@ -57,8 +58,8 @@ def rim_steps(rgb, skin, cavity):
 
 
 def boundary_length(labels, mask):
-    """Of the boundary between True and False within the mask, in pixels: Cauchy and Crofton with four directions. Pairs
-    across the mask's edge do not count."""
+    """Of the boundary between True and False within the mask, in pixels: Cauchy and Crofton with
+    four directions. Pairs across the mask's edge do not count."""
 
     def changes(here, there):
         return numpy.count_nonzero((labels[here] != labels[there]) & mask[here] & mask[there])
@@ -78,8 +79,8 @@ def place_between(rgb, dark, light):
 
 
 def place_on_ramp(rgb, colours):
-    """Of each of the (n, 3) colours on the ramp, 0 at its first colour and 1 at its last: the nearest point of the straight
-    ways in OKLab between its evenly placed colours."""
+    """Of each of the (n, 3) colours on the ramp, 0 at its first colour and 1 at its last: the
+    nearest point of the straight ways in OKLab between its evenly placed colours."""
     points, ramp = oklab(rgb)[:, None], oklab(numpy.asarray(colours, float))
     begins, ways = ramp[:-1], numpy.diff(ramp, axis=0)
     share = ((points - begins) * ways).sum(-1) / numpy.maximum((ways**2).sum(-1), 1e-12)
@@ -90,16 +91,26 @@ def place_on_ramp(rgb, colours):
 
 def oklab(rgb):
     """B. Ottosson, "A perceptual color space for image processing", 2020."""
-    cones = numpy.array([[0.4122214708, 0.5363325363, 0.0514459929], [0.2119034982, 0.6806995451, 0.1073969566],
-                         [0.0883024619, 0.2817188376, 0.6299787005]])  # fmt: skip
-    opponents = numpy.array([[0.2104542553, 0.7936177850, -0.0040720468], [1.9779984951, -2.4285922050, 0.4505937099],
-                             [0.0259040371, 0.7827717662, -0.8086757660]])  # fmt: skip
+    cones = numpy.array(
+        [
+            [0.4122214708, 0.5363325363, 0.0514459929],
+            [0.2119034982, 0.6806995451, 0.1073969566],
+            [0.0883024619, 0.2817188376, 0.6299787005],
+        ]
+    )
+    opponents = numpy.array(
+        [
+            [0.2104542553, 0.7936177850, -0.0040720468],
+            [1.9779984951, -2.4285922050, 0.4505937099],
+            [0.0259040371, 0.7827717662, -0.8086757660],
+        ]
+    )
     return numpy.cbrt(_linear(rgb) @ cones.T) @ opponents.T
 
 
 def ink_share(drawn, plain, ink):
-    """How much of each pixel is ink, and whether that can be told: `drawn` is `plain` with lines mixed in. ink: a colour
-    or one for each pixel."""
+    """How much of each pixel is ink, and whether that can be told: `drawn` is `plain` with lines
+    mixed in. ink: a colour or one for each pixel."""
     way = ink - plain
     square = (way**2).sum(-1)
     share = ((drawn - plain) * way).sum(-1) / numpy.maximum(square, 1e-9)
@@ -118,7 +129,8 @@ def changed_lines(inks, tellings, where):
 
 
 def width_ratio(ink, other):
-    """Of the lines' widths in two maps of ink of one size: over the lines that both have, which are as long in both."""
+    """Of the lines' widths in two maps of ink of one size: over the lines that both have, which are
+    as long in both."""
     kernel = _disc(2)
     both = _dilated(ink > INKED, kernel) & _dilated(other > INKED, kernel)
     return float(ink[both].sum() / other[both].sum()) if both.any() else float("nan")
@@ -142,7 +154,10 @@ def _mean_within(level, mask, radius_px):
     """Over the mask's pixels in a disc around each pixel; NaN where it has none."""
     kernel = _disc(radius_px).astype(numpy.float64)
     weight = mask.astype(numpy.float64)
-    sums = [cv2.filter2D(v, -1, kernel, borderType=cv2.BORDER_CONSTANT) for v in (level * weight, weight)]
+    sums = [
+        cv2.filter2D(v, -1, kernel, borderType=cv2.BORDER_CONSTANT)
+        for v in (level * weight, weight)
+    ]
     return numpy.where(sums[1] > 0.5, sums[0] / numpy.maximum(sums[1], 0.5), numpy.nan)
 
 

@@ -45,11 +45,20 @@ class FakeStudio:
 
 class Scenes(unittest.TestCase):
     def test_a_mask_holds_what_shows_one_kind_alone(self):
-        kinds = {"skin": [1, 0, 0], "focus": [0, 1, 0], "wall": [0, 0, 1], "fat, at the volume's end": [0.9, 0.8, 0.5],
-                 "background": [0, 0, 0], "both": [0.5, 0.5, 0]}  # fmt: skip
+        kinds = {
+            "skin": [1, 0, 0],
+            "focus": [0, 1, 0],
+            "wall": [0, 0, 1],
+            "fat, at the volume's end": [0.9, 0.8, 0.5],
+            "background": [0, 0, 0],
+            "both": [0.5, 0.5, 0],
+        }
         studio = FakeStudio(numpy.array([list(kinds.values())], numpy.float32))
         masks = style_scenes.masks(studio, scene(), 6, 1)
-        found = {name: [n for n, is_in in zip(kinds, getattr(masks, name)[0]) if is_in] for name in ("skin", "focus", "wall")}
+        found = {
+            name: [n for n, is_in in zip(kinds, getattr(masks, name)[0]) if is_in]
+            for name in ("skin", "focus", "wall")
+        }
         self.assertEqual(found, {"skin": ["skin"], "focus": ["focus"], "wall": ["wall"]})
         self.assertEqual(masks.covered.tolist(), [[True, True, True, True, False, False]])
 
@@ -57,9 +66,13 @@ class Scenes(unittest.TestCase):
         studio = FakeStudio(numpy.zeros((1, 1, 3), numpy.float32))
         style_scenes.masks(studio, scene(funnel_degrees=12), 1, 1)
         (shown,) = studio.shown
-        self.assertEqual((shown["lens"]["opening"], shown["lens"]["funnel_degrees"]), ("funnel", 12))
+        self.assertEqual(
+            (shown["lens"]["opening"], shown["lens"]["funnel_degrees"]), ("funnel", 12)
+        )
         for name in style_scenes.BRANCHES:
-            self.assertEqual((shown[name]["occlusion"]["strength"], shown[name]["shadow"]["strength"]), (0, 0))
+            self.assertEqual(
+                (shown[name]["occlusion"]["strength"], shown[name]["shadow"]["strength"]), (0, 0)
+            )
             self.assertEqual(shown[name]["shading"]["dark"], shown[name]["shading"]["light"])
 
     def test_lines_are_left_out_and_what_abstracts_stays(self):
@@ -93,7 +106,9 @@ class Figures(unittest.TestCase):
     def test_a_wall_like_the_skin_closes_the_hole(self):
         found = style_figures.tones(*self.picture(skin=0.8, wall=0.8, focus=0.8))
         self.assertEqual((found["rim"], found["wall_skin"], found["wall_focus"]), (1, 0, 0))
-        self.assertEqual(Cell("a", "b", found).failing(), ["rim", "wall_skin", "wall_focus", "context_tone"])
+        self.assertEqual(
+            Cell("a", "b", found).failing(), ["rim", "wall_skin", "wall_focus", "context_tone"]
+        )
 
     def test_a_dark_wall_opens_it(self):
         found = style_figures.tones(*self.picture(skin=0.8, wall=0.3, focus=0.9))
@@ -104,7 +119,10 @@ class Figures(unittest.TestCase):
         rgb, masks = self.picture(0.8, 0.3, 0.2)
         rgb[60:][masks.focus[60:]] = 0.9
         greys = numpy.linspace(0, 1, 6)
-        ramp = {n: [g] * 3 for n, g in zip(("deepest", "deep", "middle", "light", "lighter", "lightest"), greys)}
+        ramp = {
+            n: [g] * 3
+            for n, g in zip(("deepest", "deep", "middle", "light", "lighter", "lightest"), greys)
+        }
         found = style_figures.ramp_halves(rgb, masks, ramp)
         self.assertAlmostEqual(found["cool_half"], 0.5, delta=0.05)
         self.assertAlmostEqual(found["cool_half"] + found["warm_half"], 1)
@@ -125,7 +143,10 @@ class Figures(unittest.TestCase):
                 rgb[row : row + 3] = LINES["colour"]
             return both
 
-        still, turning = (style_figures.turned_lines(d, plain, scene(), masks) for d in (drawn(100, 100), drawn(100, 20)))
+        still, turning = (
+            style_figures.turned_lines(d, plain, scene(), masks)
+            for d in (drawn(100, 100), drawn(100, 20))
+        )
         self.assertEqual(still, {"turned_lines": 0})
         self.assertGreater(turning["turned_lines"], 50)
 
@@ -146,10 +167,16 @@ class MadeBodies(unittest.TestCase):
     def test_they_differ_by_noise_of_the_stated_size_alone(self):
         with tempfile.TemporaryDirectory() as folder:
             made_bodies.write(folder)
-            smooth, noisy = (self.values(Path(folder) / name) for name in (made_bodies.SMOOTH, made_bodies.NOISY))
-        self.assertAlmostEqual((noisy - smooth).std(), made_bodies.NOISE * made_bodies.CONTRAST, delta=2)
+            smooth, noisy = (
+                self.values(Path(folder) / name) for name in (made_bodies.SMOOTH, made_bodies.NOISY)
+            )
+        self.assertAlmostEqual(
+            (noisy - smooth).std(), made_bodies.NOISE * made_bodies.CONTRAST, delta=2
+        )
         middle = made_bodies.VOXELS // 2
-        self.assertEqual((smooth[0, 0, 0], smooth[middle, middle, middle]), (0, 2 * made_bodies.CONTRAST))
+        self.assertEqual(
+            (smooth[0, 0, 0], smooth[middle, middle, middle]), (0, 2 * made_bodies.CONTRAST)
+        )
 
     def values(self, path):
         head, data = path.read_bytes().split(b"\n\n", 1)
@@ -158,7 +185,10 @@ class MadeBodies(unittest.TestCase):
 
 
 class Page(unittest.TestCase):
-    STUDY = StyleStudy([Cell("flagship", "head", {"rim": 0.5, "size": 1.0}), Cell("toon", "<b>", {"rim": 0.01})], ["slab"])
+    STUDY = StyleStudy(
+        [Cell("flagship", "head", {"rim": 0.5, "size": 1.0}), Cell("toon", "<b>", {"rim": 0.01})],
+        ["slab"],
+    )
 
     def test_failing_cells_are_marked_and_told(self):
         text = "".join(page(self.STUDY))

@@ -123,7 +123,9 @@ class Lines(unittest.TestCase):
         for ground in (flat(0.9), flat(0.5)):
             found, told = measures.ink_share(ground + share * (self.INK - ground), ground, self.INK)
             self.assertTrue(told.all())
-            numpy.testing.assert_allclose(found, numpy.broadcast_to(share[..., 0], found.shape), atol=1e-9)
+            numpy.testing.assert_allclose(
+                found, numpy.broadcast_to(share[..., 0], found.shape), atol=1e-9
+            )
         self.assertFalse(measures.ink_share(flat(0.15), flat(0.15), self.INK)[1].any())
 
     def test_a_line_that_another_light_takes_away_is_counted(self):
