@@ -10,6 +10,7 @@ import gallery
 import performance
 import report
 import saliency_study
+import style_study
 from studio import Studio
 
 
@@ -18,18 +19,22 @@ def main():
     arguments.outdir.mkdir(parents=True, exist_ok=True)
     begun = time.monotonic()
     wanted = extent.QUICK if arguments.quick else extent.FULL
-    volumes = volumes_to_show(arguments, wanted)
-    with Studio(arguments.build / "cutaway", arguments.data) as studio:
-        studio.wait_for(volumes)
+    cutaway = arguments.build / "cutaway"
+    volumes, measured = volumes_to_show(arguments, cutaway, wanted)
+    with Studio(cutaway, arguments.data) as studio:
+        studio.wait_for({*volumes, *measured})
+        styles = style_study.make(studio, cutaway, measured, wanted, progress)
         sheets = gallery.make(studio, volumes, wanted, arguments.outdir, progress)
         study = saliency_study.make(studio, volumes, wanted, arguments.outdir, progress)
         renderer = studio.renderer
-    report.write_figures(arguments.outdir, study)
+    report.write_figures(arguments.outdir, study, styles)
     progress(f"saliency: {study.verdict.outcome}")
     benchmark = arguments.build / "cutaway-benchmark"
     table = performance.make(benchmark, wanted.benchmark, arguments.outdir, progress)
     minutes = (time.monotonic() - begun) / 60
-    written = report.write(arguments.outdir, renderer, sheets, study, table, minutes, wanted)
+    written = report.write(
+        arguments.outdir, renderer, sheets, styles, study, table, minutes, wanted
+    )
     print(f"{study.verdict.text}\n\nThe report is {written} ({minutes:.1f} minutes).")
 
 
@@ -45,13 +50,16 @@ def parse_arguments():
     return arguments
 
 
-def volumes_to_show(arguments, wanted):
+def volumes_to_show(arguments, cutaway, wanted):
+    """Those of the figures and the experiment, and those on which styles are measured."""
+    phantoms = list(wanted.phantoms)
     if arguments.quick or arguments.data is None:
-        return list(wanted.phantoms)
+        return phantoms, phantoms
     progress(f"reading {arguments.data}")
-    found, others = data_sets.cts(arguments.build / "cutaway", arguments.data)
+    volumes = data_sets.read(cutaway, arguments.data)
+    found, others = data_sets.cts(volumes)
     progress(f"CTs: {', '.join(found) or 'none'}; not CTs: {', '.join(others) or 'none'}")
-    return [*wanted.phantoms, *found]
+    return phantoms + found, phantoms + data_sets.with_two_surfaces(volumes)
 
 
 def progress(what):

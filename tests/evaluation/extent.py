@@ -30,6 +30,8 @@ class Extent:
     units: int = UNITS_PER_DATA_SET
     sheet_px: tuple = (400, 360)
     study_px: int = 768
+    style_px: tuple = (480, 360)
+    most_styles: int | None = None
     benchmark: Benchmark = Benchmark()
     is_quick: bool = False
 
@@ -40,6 +42,7 @@ QUICK = Extent(
     units=3,
     sheet_px=(160, 144),
     study_px=256,
+    most_styles=2,
     benchmark=Benchmark(
         phantoms=("phantom:head",),
         size="128x128",

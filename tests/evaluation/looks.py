@@ -1,37 +1,34 @@
 """How a unit of the experiment is drawn: the conditions' looks on one scene, at one size."""
-BLACK = [0, 0, 0]
+import style_scenes
+
 GREY = [128 / 255] * 3
 
 
 def looks(studio):
-    """{condition: the parts of a scene that make its look}."""
+    """{condition: the parts of a scene that make its look}. A is the flagship as it is shipped; all
+    that have a lens cut the same away."""
     style, phong = studio.styles["flagship"], studio.styles["phong-control"]
     return {
         "A": style,
-        "B": phong,
+        "B": {**phong, "lens": {**phong["lens"], **style_scenes.cut_of(style)}},
         "C": {**phong, "lens": {**phong["lens"], "mode": "none"}},
         "D": {**style, "focus": style["context"], "context": style["focus"]},
     }
 
 
-def picture(studio, scene, look, side_px, background=GREY):
+def picture(studio, scene, look, side_px):
     """scene: camera, and the lens' centre and radius."""
-    lens = {**look["lens"], **scene["lens"]}
-    shown = {"camera": scene["camera"], "lens": lens, "background": {"colour": background}}
-    studio.change({**look, **shown})
+    _show(studio, scene, look)
+    studio.change({"background": {"colour": GREY}})
     return studio.picture(side_px, side_px)
 
 
 def focus_mask(studio, scene, side_px):
-    """Where the cutaway shows the focus: bool (height, width)."""
-    lens = {"mode": "cutaway", "cap": "flat"}
-    white_on_black = {"focus": _flat(1.0), "context": _flat(0.0), "lens": lens}
-    return picture(studio, scene, white_on_black, side_px, BLACK)[..., 0] > 0.5
+    """Where the conditions' cutaway shows the focus: bool (height, width)."""
+    style = studio.styles["flagship"]
+    _show(studio, scene, style)
+    return style_scenes.masks(studio, style, side_px, side_px, pure=0.5).focus
 
 
-def _flat(level):
-    colour = [level] * 3
-    return {
-        "shading": {"name": "tone", "detail": 0, "dark": colour, "light": colour},
-        "filters": [],
-    }
+def _show(studio, scene, look):
+    studio.change({**look, "camera": scene["camera"], "lens": {**look["lens"], **scene["lens"]}})

@@ -5,17 +5,19 @@ from html import escape
 
 from report_performance import performance
 from report_saliency import saliency_study
+from report_styles import style_study
 
 STYLE = """
 body { font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 80rem; padding: 0 1rem; color: #1a1a1a }
 img { max-width: 100%; height: auto; border: 1px solid #ddd } figure { margin: 2rem 0 }
 table { border-collapse: collapse; margin: 1rem 0 } td, th { border: 1px solid #ccc; padding: 0.3rem 0.7rem; text-align: right }
 th:first-child, td:first-child { text-align: left } .verdict { background: #f4f1ea; padding: 1rem; white-space: pre-line }
+.failing { background: #f3d5d0; font-weight: bold }
 small { color: #666 }
 """
 
 
-def write(outdir, renderer, sheets, study, table, minutes, extent):
+def write(outdir, renderer, sheets, styles, study, table, minutes, extent):
     """Writes report.html; returns its path."""
     body = "\n".join(
         [
@@ -23,6 +25,7 @@ def write(outdir, renderer, sheets, study, table, minutes, extent):
             f"<p>Renderer: {escape(renderer)}. Made in {minutes:.1f} minutes. Not for diagnostic use.</p>",
             *_extent(extent),
             *_gallery(sheets),
+            *style_study(styles),
             *saliency_study(study),
             *performance(table),
         ]
@@ -44,8 +47,9 @@ def _extent(extent):
         )
 
 
-def write_figures(outdir, study):
-    """Writes saliency.json: early, so that it is there whatever becomes of the rest."""
+def write_figures(outdir, study, styles):
+    """Writes saliency.json and styles.json: early, so that they are there whatever becomes of the rest."""
+    (outdir / "styles.json").write_text(json.dumps(styles.as_dict(), indent=1))
     (outdir / "saliency.json").write_text(json.dumps(_plain(study), indent=1))
 
 

@@ -9,6 +9,10 @@ from saliency.metrics import HIT_RANKS
 def saliency_study(study):
     yield "<h2>Saliency</h2>"
     yield f'<p class="verdict">{escape(study.verdict.text)}</p>'
+    yield (
+        "<p>Condition A is the flagship as it is shipped: ramp from cool to warm, occlusion, shadow, a wall with a tone of its "
+        "own, lines by depth. B, and D with the branches swapped, cut the same away with the same funnel.</p>"
+    )
     yield from _sample(study)
     for model, result in study.results.items():
         yield f"<h3>{escape(model)}</h3>"

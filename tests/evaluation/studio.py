@@ -38,7 +38,9 @@ class Studio:
         self._client = Client(self._server.port)
         capabilities = self._client.text("capabilities")
         self.renderer = capabilities["renderer"]
-        self.styles = {style["name"]: style["scene"] for style in capabilities["styles"]}
+        listed = capabilities["styles"]
+        self.styles = {style["name"]: style["scene"] for style in listed}
+        self.illustrations = [s["name"] for s in listed if s["group"] == "illustration"]
         self._listing = self._client.text("volumes")
         self._requests = 0
         self._volume = None
@@ -75,6 +77,20 @@ class Studio:
         self._client.viewport(SMALL_PX, SMALL_PX)
         self._client.scene({"volume": volume, **self.styles["flagship"]}, replace=True)
         return self._told_scene(lambda told: told["volume"] == volume)
+
+    def first_scene(self, volume):
+        """Opens the volume as it appears to somebody who says nothing of how; returns that scene,
+        resolved."""
+        self._volume = volume
+        self._client.viewport(SMALL_PX, SMALL_PX)
+        sent = self._client.scene({"volume": volume}, replace=True)
+        return self._await(
+            lambda m: isinstance(m, dict)
+            and m["type"] == "scene"
+            and m["scene"]["volume"] == volume
+            and m["input"] >= sent,
+            f"the first scene of {volume}",
+        )["scene"]
 
     def reset(self, scene):
         """The open volume with another scene; what the scene leaves out is chosen anew. Returns it
