@@ -148,6 +148,49 @@ TEST(LightReach, AShadowLiesBehindWhatStandsInTheLight) {
   EXPECT_GE(reach.at(20.0, 0.0).y, 0.95);
 }
 
+/// Mean difference from many rays that are spread evenly, in steps of 1/255, over what is met.
+double from_many_rays(const Scene& scene, const std::shared_ptr<const LoadedVolume>& volume,
+                      const LightQuality& quality) {
+  GpuHarness& gpu = GpuHarness::instance();
+  RenderSettings settings = settings_for(scene);
+  settings.light = quality;
+  gpu.render(scene, volume, settings);
+  const auto found = FramePipeline::read_reach(gpu.view(), kContext);
+  static const auto expected = [&] {
+    const auto cast =
+        reference::render(scene, volume->volume, reference_settings(*volume, settings));
+    return std::pair(
+        reference::light_reach(
+            scene, volume->volume, reference::ReferenceCopy(volume->volume), cast.rays,
+            reference::BranchName::context, 1,
+            {.directions = 1024, .samples = 64, .shadow_rays = 0, .has_pattern = false}),
+        cast.rays);
+  }();
+  double sum = 0.0;
+  int met = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!expected.second.pixels[i].context.is_met) continue;
+    sum += 255.0 * std::abs(found[i].x - expected.first.pixels[i].x);
+    ++met;
+  }
+  EXPECT_GT(met, 500);
+  return sum / met;
+}
+
+TEST(LightReach, OfFewRaysIsNearThatOfManyThatAreSpreadEvenly) {
+  const auto volume = body(
+      [](glm::dvec3 at) { return std::max(12.0 - glm::length(at - glm::dvec3(0, 0, 8)), -at.z); });
+  Json document = from_above(Json::object(), kNoLens);
+  document["camera"]["eye_mm"] = {150, 100, 300};
+  const Scene scene = scene_for(document, volume, {64, 48});
+  const double at_rest = from_many_rays(scene, volume, {16, 16, 0, 0});
+  const double at_its_best = from_many_rays(scene, volume, {64, 32, 0, 0});
+  std::printf("from 1024 rays: %.2f/255 with 16 x 16, %.2f/255 with 64 x 32\n", at_rest,
+              at_its_best);
+  EXPECT_LE(at_rest, 3.0);
+  EXPECT_LE(at_its_best, 2.0);
+}
+
 // What nobody asks for leaves no trace: the picture is the same byte for byte.
 TEST(LightReach, OfNoStrengthIsNotLookedFor) {
   const auto volume = body([](glm::dvec3 at) { return std::max(-at.z, -20.0 - at.x); });
