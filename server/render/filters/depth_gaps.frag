@@ -75,8 +75,8 @@ float width_for(float gap) {
   return width_px * faded * mix(thinnest, 1.0, grown);
 }
 
-// A pixel that the surface's edge crosses shows of its ink the share that the surface has of it: the line is as much wider,
-// so that it has its width from the edge on in a small picture, too.
+// A pixel that the surface's edge crosses shows of its ink the share that the surface has of it: the line is as much
+// wider, so that it has its width from the edge on in a small picture, too.
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   Met here = met_at(pixel);
