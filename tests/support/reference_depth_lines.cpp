@@ -61,7 +61,9 @@ std::optional<Begin> begin_at(const BranchImage& input, glm::ivec2 at, const Dep
   const double grown = std::clamp(
       (widest - lines.gap_mm) / std::max(lines.full_gap_mm - lines.gap_mm, 1e-3), 0.0, 1.0);
   const double faded = std::min((widest - lines.gap_mm) / (0.5 * lines.gap_mm), 1.0);
-  return Begin{lines.width_px * faded * std::lerp(lines.thinnest, 1.0, grown),
+  const double width_px = lines.width_px * faded * std::lerp(lines.thinnest, 1.0, grown);
+  if (width_px <= 0.0) return std::nullopt;
+  return Begin{width_px + 1.0 - input.at(at).coverage,
                input.at(at).nearest_mm + 0.5 * std::min(widest, lines.full_gap_mm)};
 }
 
@@ -112,7 +114,7 @@ BranchImage depth_lines(const BranchImage& input, const DepthLines& lines) {
     for (int x = 0; x < input.size_px.x; ++x) begins.at({x, y}) = begin_at(input, {x, y}, lines);
   }
   begins = without_specks(begins);
-  const int reach_px = static_cast<int>(std::ceil(lines.width_px));
+  const int reach_px = static_cast<int>(std::ceil(lines.width_px)) + 1;
   for (int y = 0; y < input.size_px.y; ++y) {
     for (int x = 0; x < input.size_px.x; ++x) {
       BranchPixel& pixel = output.at({x, y});

@@ -21,6 +21,7 @@ const float ENDLESS = 1e9;
 struct Met {
   float depth_mm;     // of its nearest ray; NO_DEPTH: none meets the branch
   float behind_lens;  // share of them
+  float share;        // of all rays, those that meet it
 };
 
 Met met_at(ivec2 pixel) {
@@ -35,7 +36,7 @@ Met met_at(ivec2 pixel) {
     behind += weight * (lies_behind_lens(surface) ? 1.0 : 0.0);
     met += weight;
   }
-  return Met(met > 0.0 ? nearest_mm : NO_DEPTH, behind / max(met, 1.0));
+  return Met(met > 0.0 ? nearest_mm : NO_DEPTH, behind / max(met, 1.0), met / float(supersampling * supersampling));
 }
 
 // How much farther away `there` is than `here`; 0 where nothing is, `across_rim` where the lens' rim lies between.
@@ -74,6 +75,8 @@ float width_for(float gap) {
   return width_px * faded * mix(thinnest, 1.0, grown);
 }
 
+// A pixel that the surface's edge crosses shows of its ink the share that the surface has of it: the line is as much
+// wider, so that it has its width from the edge on in a small picture, too.
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   Met here = met_at(pixel);
@@ -82,5 +85,6 @@ void main() {
   float gap = max(max(gap_towards(pixel, here, ivec2(1, 0)), gap_towards(pixel, here, ivec2(-1, 0))),
                   max(gap_towards(pixel, here, ivec2(0, 1)), gap_towards(pixel, here, ivec2(0, -1))));
   float width = width_for(gap);
+  if (width > 0.0) width += 1.0 - here.share;
   if (width > 0.0) begin = vec4(width * width, width, here.depth_mm + 0.5 * min(gap, full_gap_mm), 0.0);
 }

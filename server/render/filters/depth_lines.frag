@@ -26,7 +26,7 @@ void main() {
   vec4 centre = texelFetch(colour_texture, pixel, 0);
   filtered = centre;
   if (centre.a == 0.0 || width_px == 0.0) return;
-  int reach = int(ceil(width_px));
+  int reach = int(ceil(width_px)) + 1;
   Begin best = begin_of(NO_BEGIN);
   for (int y = -reach; y <= reach; ++y) {
     ivec2 from = pixel + ivec2(0, y);

@@ -26,8 +26,9 @@ int flight_px(const Json& parameters, double resolution_scale) {
 }
 
 FilterPlan plan(const Json& parameters, double resolution_scale) {
-  const int reach_px = static_cast<int>(std::ceil(width_in_picture(parameters, resolution_scale)));
-  if (reach_px == 0) return chained({{.shader = kLines, .writes = {}, .reads = {}}});
+  const float width_px = width_in_picture(parameters, resolution_scale);
+  const int reach_px = 1 + static_cast<int>(std::ceil(width_px));  // what an edge's pixel hides
+  if (width_px == 0.0F) return chained({{.shader = kLines, .writes = {}, .reads = {}}});
   const int cost = 1 + reach_px / 2;
   return chained({{.shader = kGaps,
                    .writes = {kFirst},

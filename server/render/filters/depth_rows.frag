@@ -11,7 +11,7 @@ layout(location = 0) out vec4 best;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  int reach = int(ceil(width_px));
+  int reach = int(ceil(width_px)) + 1;  // see depth_gaps.frag
   best = NO_BEGIN;
   for (int x = -reach; x <= reach; ++x) {
     ivec2 from = pixel + ivec2(x, 0);
