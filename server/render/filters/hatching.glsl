@@ -3,8 +3,8 @@
 // without a look at other pixels, and bound to the picture, so that a stroke grows and shrinks with the light but never
 // moves.
 // Source of noise from wavelets on a lattice: A. Lagae, S. Lefebvre, G. Drettakis, P. Dutre, "Procedural Noise using
-// Sparse Gabor Convolution", SIGGRAPH 2009; of strokes whose density is the tone: G. Winkenbach, D. Salesin, "Computer-
-// Generated Pen-and-Ink Illustration", SIGGRAPH 1994.
+// Sparse Gabor Convolution", SIGGRAPH 2009; of strokes whose density is the tone: G. Winkenbach, D. Salesin,
+// "Computer-Generated Pen-and-Ink Illustration", SIGGRAPH 1994.
 
 uniform float width_px;   // of a stroke where half of the paper is ink
 uniform float length_px;  // of a stroke
