@@ -1,9 +1,10 @@
-// Strokes of ink whose share of the paper is the darkness of what they stand for: ink lies where noise that runs along the
-// strokes is below the darkness' rank. The noise is normally distributed everywhere, so that ranks are known without a look
-// at other pixels, and bound to the picture, so that a stroke grows and shrinks with the light but never moves.
-// Source of noise from wavelets on a lattice: A. Lagae, S. Lefebvre, G. Drettakis, P. Dutre, "Procedural Noise using Sparse
-// Gabor Convolution", SIGGRAPH 2009; of strokes whose density is the tone: G. Winkenbach, D. Salesin, "Computer-Generated
-// Pen-and-Ink Illustration", SIGGRAPH 1994.
+// Strokes of ink whose share of the paper is the darkness of what they stand for: ink lies where noise that runs along
+// the strokes is below the darkness' rank. The noise is normally distributed everywhere, so that ranks are known
+// without a look at other pixels, and bound to the picture, so that a stroke grows and shrinks with the light but never
+// moves.
+// Source of noise from wavelets on a lattice: A. Lagae, S. Lefebvre, G. Drettakis, P. Dutre, "Procedural Noise using
+// Sparse Gabor Convolution", SIGGRAPH 2009; of strokes whose density is the tone: G. Winkenbach, D. Salesin,
+// "Computer-Generated Pen-and-Ink Illustration", SIGGRAPH 1994.
 
 uniform float width_px;   // of a stroke where half of the paper is ink
 uniform float length_px;  // of a stroke
@@ -70,8 +71,8 @@ float normal_below(float share) {
   return 1.4142136 * sign(x) * sqrt(sqrt(half_way * half_way - log_of / 0.147) - half_way);
 }
 
-// How much of a pixel is ink where strokes are to cover that share. A stroke's edge is about a pixel wide; that blurs the
-// noise's distribution by a known variance.
+// How much of a pixel is ink where strokes are to cover that share. A stroke's edge is about a pixel wide; that blurs
+// the noise's distribution by a known variance.
 float inked(float noise, float share) {
   float edge = 1.2 * 0.5 * TURN / width_px;
   float limit = normal_below(share) * sqrt(1.0 + edge * edge / 12.0);

@@ -1,8 +1,9 @@
 #version 450 core
-// Last: strokes along the flow, the mean of the noise on a pixel's way along it; a family of its own for the lens' wall.
-// Source: B. Cabral, L. Leedom, "Imaging Vector Fields Using Line Integral Convolution", SIGGRAPH 1993; of strokes along
-// curvature: V. Interrante, "Illustrating Surface Shape in Volume Data via Principal Direction-Driven 3D Line Integral
-// Convolution", SIGGRAPH 1997.
+// Last: strokes along the flow, the mean of the noise on a pixel's way along it; a family of its own for the lens'
+// wall.
+// Source: B. Cabral, L. Leedom, "Imaging Vector Fields Using Line Integral Convolution", SIGGRAPH 1993; of strokes
+// along curvature: V. Interrante, "Illustrating Surface Shape in Volume Data via Principal Direction-Driven 3D Line
+// Integral Convolution", SIGGRAPH 1997.
 #include "branches.glsl"
 #include "filter.glsl"
 #include "brightness.glsl"

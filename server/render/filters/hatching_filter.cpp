@@ -57,16 +57,21 @@ double correlation(double apart) {
   return windows * std::cyl_bessel_j(0.0, glm::two_pi<double>() * apart);
 }
 
+double weight(int sample, const Strokes& strokes) {
+  const double fade = std::cos(glm::half_pi<double>() * sample / (strokes.samples + 1));
+  return fade * fade;
+}
+
 /// Of the sum that hatching_curved.frag makes, on a straight way.
 double deviation_of(const Strokes& strokes) {
-  const auto weight = [&](int i) {
-    return std::pow(std::cos(glm::half_pi<double>() * i / (strokes.samples + 1)), 2.0);
-  };
-  const double cell_px = 2.0 * strokes.width_px;
+  if (strokes.width_px == 0.0) return 1.0;
+  const double step = strokes.step_px / (2.0 * strokes.width_px);
   double variance = 0.0;
-  for (int i = -strokes.samples; i <= strokes.samples; ++i) {
-    for (int j = -strokes.samples; j <= strokes.samples; ++j)
-      variance += weight(i) * weight(j) * correlation(std::abs(i - j) * strokes.step_px / cell_px);
+  for (int apart = 0; apart <= 2 * strokes.samples; ++apart) {
+    double weights = 0.0;
+    for (int i = -strokes.samples; i + apart <= strokes.samples; ++i)
+      weights += weight(i, strokes) * weight(i + apart, strokes);
+    variance += (apart == 0 ? 1.0 : 2.0) * weights * correlation(apart * step);
   }
   return std::sqrt(variance);
 }

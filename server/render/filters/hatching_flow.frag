@@ -1,8 +1,8 @@
 #version 450 core
 // Fifth: which way strokes run, the direction on the surface in which its normal turns most, seen by the camera. In the
 // surface's own plane the products of the normal's derivatives are the square of its shape operator, whose greatest
-// eigenvalue belongs to the direction of the greatest curvature. Where the surface is near flat, or curved alike every way,
-// the parallel family's direction takes over.
+// eigenvalue belongs to the direction of the greatest curvature. Where the surface is near flat, or curved alike every
+// way, the parallel family's direction takes over.
 #include "filter.glsl"
 #include "structure_tensor.glsl"
 

@@ -1,6 +1,6 @@
 #version 450 core
-// First of the curved strokes' steps: the normals as the camera sees them, and the noise that strokes are made of, whose
-// waves go all ways, each two strokes long. See hatching.glsl.
+// First of the curved strokes' steps: the normals as the camera sees them, and the noise that strokes are made of,
+// whose waves go all ways, each two strokes long. See hatching.glsl.
 #include "branches.glsl"
 #include "filter.glsl"
 #include "brightness.glsl"

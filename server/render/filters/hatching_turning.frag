@@ -1,5 +1,6 @@
 #version 450 core
-// Second: how the normal turns from pixel to pixel, as the products of its derivatives. Where a surface ends nothing turns.
+// Second: how the normal turns from pixel to pixel, as the products of its derivatives. Where a surface ends nothing
+// turns.
 #include "filter.glsl"
 
 uniform sampler2D forms;
