@@ -36,9 +36,15 @@ SlabView slab_view(const MaterialShape& shape) {
   return slab;
 }
 
-std::string first_style(const Findings& findings) {
-  if (findings.has_contrast) return "angiography";
-  return findings.kind == DataKind::mr ? "brain" : "flagship";
+/// NIfTI knows no modality and is the format of MR; a CT that is kept in it has its air below 0.
+bool may_be_mr(const LoadedVolume& loaded) {
+  return loaded.findings.kind == DataKind::unknown && loaded.volume.description.format == "NIfTI" &&
+         loaded.histogram.range.minimum >= 0.0;
+}
+
+std::string first_style(const LoadedVolume& loaded) {
+  if (loaded.findings.has_contrast) return "angiography";
+  return loaded.findings.kind == DataKind::mr || may_be_mr(loaded) ? "brain" : "flagship";
 }
 
 }  // namespace
@@ -62,7 +68,7 @@ VolumeFacts facts_of(const LoadedVolume& loaded, std::shared_ptr<const LoadedVol
                     .window_centre = 0.5 * (window.minimum + window.maximum),
                     .window_width = window.maximum - window.minimum};
   if (loaded.findings.shape.is_slab()) facts.slab = slab_view(loaded.findings.shape);
-  facts.first_style = first_style(loaded.findings);
+  facts.first_style = first_style(loaded);
   facts.first_preparation = first_preparation(loaded.findings);
   facts.first_surface_mm = probe_of(std::move(seen));
   return facts;

@@ -26,6 +26,11 @@ constexpr double kPriceOfTheEdge = 0.4;
 constexpr double kPriceOfDepth = 0.2;  // for a whole radius
 constexpr double kPriceOfSize = 0.2;   // for a whole radius more
 
+/// Of a slab's thickness: what is left is seen behind the focus, where a hole would show the
+/// background. Of the lens' own depth at least a little, where the slab has none.
+constexpr double kOpenedOfSlab = 0.75;
+constexpr double kLeastOpened = 0.01;
+
 /// One ray of the view with the distances (mm) at which it first meets each surface.
 struct ProbedRay {
   ViewRay ray;
@@ -70,8 +75,7 @@ ProbedRay probe(const VolumeFacts& volume, const LensPlacementView& view, glm::i
                    .from_middle = from_middle};
   probed.context_mm = distance_to_surface_mm(volume, probed.ray, view.context);
   if (probed.context_mm == kNoHit) return probed;
-  // A slab is cut wherever it is looked at.
-  probed.is_on_face = !volume.slab && is_on_face(volume, probed.context_point_mm(0.0));
+  probed.is_on_face = is_on_face(volume, probed.context_point_mm(0.0));
   probed.focus_mm = distance_to_surface_mm(volume, probed.ray, view.focus);
   return probed;
 }
@@ -85,15 +89,25 @@ std::vector<ProbedRay> probe_view(const VolumeFacts& volume, const LensPlacement
   return rays;
 }
 
+/// Most of what is seen is a section: a slab, or a volume cropped within the body. There the cut is
+/// the surface; what is left of the other one lies at the view's edge.
+bool is_seen_as_section(const std::vector<ProbedRay>& rays) {
+  const auto met =
+      std::ranges::count_if(rays, [](const ProbedRay& ray) { return ray.context_mm != kNoHit; });
+  return 2 * std::ranges::count_if(rays, &ProbedRay::is_on_face) > met;
+}
+
 /// Share of the lens' outline in which the focus would be seen, by the cutaway's four-case rule:
 /// where no context lies before the lens, and the focus within. A lens that is half beside the body
-/// or behind skin is half wasted, so all of its outline counts.
-double share_with_focus(const std::vector<ProbedRay>& rays, const LensBody& lens) {
+/// or behind skin is half wasted, so all of its outline counts; but of one that stands out of a
+/// slab what dips into it.
+double share_with_focus(const std::vector<ProbedRay>& rays, const LensBody& lens,
+                        bool only_what_dips) {
   int crossed = 0;
   int filled = 0;
   for (const ProbedRay& probed : rays) {
     const auto lens_mm = lens.interval_mm(probed.ray);
-    if (!lens_mm) continue;
+    if (!lens_mm || (only_what_dips && lens_mm->y <= probed.context_mm)) continue;
     ++crossed;
     if (probed.context_mm >= lens_mm->x && probed.focus_mm < lens_mm->y) ++filled;
   }
@@ -118,14 +132,27 @@ struct Choice {
 struct Asked {
   LensBody body;  ///< anywhere
   double radius_mm;
+  std::optional<SlabView> slab;
 };
+
+/// Where the lens opens a part of the slab only; its middle lies before the slab as a rule.
+glm::dvec3 centre_at_slab_mm(glm::dvec3 on_surface_mm, const SlabView& slab, const LensBody& lens) {
+  const double reach_mm = lens.reach_mm(slab.to_viewer);
+  const double thickness_mm = 2.0 * glm::length(slab.half_axes_mm[2]);
+  const double opened_mm = std::max(kOpenedOfSlab * thickness_mm, kLeastOpened * reach_mm);
+  return on_surface_mm + std::max(reach_mm - opened_mm, 0.0) * slab.to_viewer;
+}
 
 Choice choice_at(const ProbedRay& candidate, const Form& form, const std::vector<ProbedRay>& rays,
                  const Asked& asked) {
   Choice choice;
   choice.lens.radius_mm = form.size * asked.radius_mm;
-  choice.lens.centre_mm = candidate.context_point_mm(form.depth * choice.lens.radius_mm);
-  choice.share = share_with_focus(rays, asked.body.at(choice.lens.centre_mm, form.size));
+  const LensBody body = asked.body.at({}, form.size);
+  choice.lens.centre_mm =
+      asked.slab ? centre_at_slab_mm(candidate.context_point_mm(0.0), *asked.slab, body)
+                 : candidate.context_point_mm(form.depth * choice.lens.radius_mm);
+  choice.share =
+      share_with_focus(rays, body.at(choice.lens.centre_mm, 1.0), asked.slab.has_value());
   choice.worth = choice.share - kPriceOfTheEdge * candidate.off_middle() -
                  kPriceOfDepth * form.depth - kPriceOfSize * (form.size - 1.0);
   return choice;
@@ -181,8 +208,12 @@ const std::array<Candidates, 7>& all_candidates() {
 std::optional<PlacedLens> placed_lens(const VolumeFacts& volume, const LensPlacementView& view,
                                       double radius_mm) {
   if (!volume.first_surface_mm) return std::nullopt;
-  const std::vector<ProbedRay> rays = probe_view(volume, view);
-  const Asked asked{LensBody({.shape = view.shape, .radius_mm = radius_mm}), radius_mm};
+  std::vector<ProbedRay> rays = probe_view(volume, view);
+  if (volume.slab || is_seen_as_section(rays)) {
+    for (ProbedRay& ray : rays) ray.is_on_face = false;
+  }
+  const Asked asked{LensBody({.shape = view.shape, .radius_mm = radius_mm}), radius_mm,
+                    volume.slab};
   std::optional<Choice> best;
   for (const Candidates& candidates : all_candidates()) {
     const std::optional<Choice> choice = best_choice(rays, candidates, asked);

@@ -26,9 +26,11 @@ struct PlacedLens {
 /// Of radius `radius_mm` on the context's surface in the middle of the view. Where less than a
 /// quarter of it would show the focus: above or below the middle, there also up to 1.4 times
 /// as large and up to 0.7 of its radius under the surface; else beside the middle. Where the
-/// volume's box cuts the context only if no other place is worth it. Nothing where the view misses
-/// the context's surface. Another shape of the viewport leaves the place as it is. Looks along some
-/// 400 rays: tens of milliseconds for a large volume. Thread-safe.
+/// volume's box cuts the context only if no other place is worth it, or the cut is most of what is
+/// seen. Of a slab it opens three quarters of the thickness, so that something is seen behind the
+/// focus. Nothing where the view misses the context's surface. Another shape of the viewport leaves
+/// the place as it is. Looks along some 400 rays: tens of milliseconds for a large volume.
+/// Thread-safe.
 std::optional<PlacedLens> placed_lens(const VolumeFacts& volume, const LensPlacementView& view,
                                       double radius_mm);
 

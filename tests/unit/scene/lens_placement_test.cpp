@@ -105,6 +105,45 @@ TEST(LensPlacement, IsNotWhereTheBoxCutsTheBody) {
   EXPECT_GT(lens->centre_mm.y, face_y + 0.5) << "the face is a disc of 39 mm about the middle";
 }
 
+/// A volume cropped within the body: what is not cut is a strip at the upper edge.
+TEST(LensPlacement, IsInTheMiddleWhereTheBoxCutsMostOfTheBody) {
+  VolumeFacts facts = ball_facts();
+  facts.grid_half_axes_mm[1] = {0.0, 101.0, 0.0};
+  facts.outermost_share = {2.0, 100.0 / 101.0, 2.0};
+  facts.first_surface_mm = [](glm::dvec3 origin_mm, glm::dvec3 direction, const ValueBand& band) {
+    const auto on_plane = [&](double y) {
+      return origin_mm + direction * ((y - origin_mm.y) / direction.y);
+    };
+    const double face_y = kBallCentre_mm.y - 100.0;
+    const glm::dvec3 on_face = on_plane(band.lower > 0.0 ? face_y + 10.0 : face_y);
+    return std::optional(on_face.z < kBallCentre_mm.z + 60.0 ? on_face : on_plane(face_y + 3.0));
+  };
+  const auto lens = placed_lens(facts, front_view(), 30.0);
+  ASSERT_TRUE(lens);
+  EXPECT_LT(glm::distance(lens->centre_mm, kBallCentre_mm - glm::dvec3(0.0, 100.0, 0.0)), 1e-6);
+}
+
+/// A plate 10 mm thick with bone through all of it on the patient's left.
+TEST(LensPlacement, OpensAPartOfASlabOnly) {
+  constexpr double kFront_y = -25.0;
+  VolumeFacts facts = ball_facts();
+  facts.slab = SlabView{.centre_mm = {kBallCentre_mm.x, kFront_y + 5.0, kBallCentre_mm.z},
+                        .half_axes_mm = {glm::dvec3(90.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, 80.0),
+                                         glm::dvec3(0.0, 5.0, 0.0)}};
+  facts.first_surface_mm = [](glm::dvec3 origin_mm, glm::dvec3 direction,
+                              const ValueBand& band) -> std::optional<glm::dvec3> {
+    const glm::dvec3 point = origin_mm + direction * ((kFront_y - origin_mm.y) / direction.y);
+    if (band.lower > 0.0 && point.x < kBallCentre_mm.x + 40.0) return std::nullopt;
+    return point;
+  };
+  for (const double radius_mm : {25.0, 50.0}) {
+    const auto lens = placed_lens(facts, front_view(), radius_mm);
+    ASSERT_TRUE(lens);
+    EXPECT_NEAR(lens->centre_mm.y + lens->radius_mm, kFront_y + 7.5, 0.3) << radius_mm;
+    EXPECT_GT(lens->centre_mm.x, kBallCentre_mm.x + 20.0) << "there is the bone";
+  }
+}
+
 TEST(LensPlacement, IsTheSameInAWiderViewport) {
   for (const auto& facts : {ball_facts(), ball_with_bone_on_the_left()}) {
     LensPlacementView view = front_view();
