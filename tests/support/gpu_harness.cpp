@@ -137,10 +137,11 @@ bool marches_light(const Scene& scene) {
 
 // Measured: 1/255 at the most without such decisions, and no ray that disagrees. Kuwahara and its
 // like choose among windows of nearly one variance, Canny's edge is the one pixel or the one beside
-// it, and the normal of a layer deep within material is that of a field that is nearly flat there:
-// up to 43/255 at one pixel in a thousand. A GPU's own filter places samples to 1/256 of a
-// voxel, which turns more of them, and pixels at a toon's step. Rays for light ask at few places
-// whether something is in the way, and a ramp's colours and a depth line may hang on one answer.
+// it, a stroke lies along a direction that nearly flat skin hardly has, and the normal of a layer
+// deep within material is that of a field that is nearly flat there: up to 43/255 at one pixel in a
+// thousand. A GPU's own filter places samples to 1/256 of a voxel, which turns more of them, and
+// pixels at a toon's step. Rays for light ask at few places whether something is in the way, and a
+// ramp's colours and a depth line may hang on one answer.
 Tolerance tolerance_for(const Scene& scene) {
   if (marches_light(scene))
     return {.mean = 0.5, .share_above_2 = 0.06, .maximum = 128, .share_of_disagreements = 0.001};
@@ -148,12 +149,15 @@ Tolerance tolerance_for(const Scene& scene) {
     return {.mean = 0.25, .share_above_2 = 0.005, .maximum = 128, .share_of_disagreements = 0.001};
   bool decides = scene.context.surface.opacity < 1.0 || scene.focus.surface.opacity < 1.0;
   bool draws_crests = false;
+  bool draws_strokes = false;
   for (const Branch* branch : {&scene.context, &scene.focus}) {
     for (const Module& filter : branch->filters) {
       decides = decides || filter.name != "sobel";
       draws_crests = draws_crests || filter.name == "canny";
+      draws_strokes = draws_strokes || filter.name == "hatching";
     }
   }
+  if (draws_strokes) return {.mean = 0.25, .share_above_2 = 0.01};
   if (draws_crests) return {.mean = 0.08, .share_above_2 = 0.001};
   if (decides) return {.mean = 0.08, .share_above_2 = 0.002, .maximum = 48};
   return {.mean = 0.08, .maximum = 1};

@@ -1,5 +1,6 @@
 import type { ServedWords } from '../served.ts';
-import { filterParameters, filters } from './filters.ts';
+import { filterParameters } from './filter_parameters.ts';
+import { filters } from './filters.ts';
 
 export const modules: ServedWords['modules'] = {
   ...filters,
