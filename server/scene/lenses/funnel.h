@@ -10,11 +10,11 @@
 namespace cutaway {
 
 /// What is taken from the context besides the lens: a cone's frustum from the lens' middle towards
-/// the eye, as wide there as the lens and wider by `widening` per mm of height. Before any part of a
-/// lens that reaches out of it there is no context either, on the rays that cross the lens. Patient
-/// space, mm.
-/// Of what the idea is: M. Burns, M. Haidacher, W. Wein, I. Viola, M. E. Gröller, "Feature Emphasis
-/// and Contextual Cutaways for Multimodal Medical Visualization", EuroVis 2007.
+/// the eye, as wide there as the lens and wider by `widening` per mm of height. Before any part of
+/// a lens that reaches out of it there is no context either, on the rays that cross the lens.
+/// Patient space, mm. Of what the idea is: M. Burns, M. Haidacher, W. Wein, I. Viola, M. E.
+/// Gröller, "Feature Emphasis and Contextual Cutaways for Multimodal Medical Visualization",
+/// EuroVis 2007.
 struct Funnel {
   glm::dvec3 foot_mm{0.0};
   glm::dvec3 axis{0.0};  ///< unit, towards the eye
