@@ -18,22 +18,25 @@ uniform float deviation;   // of the mean along a way
 layout(location = 0) out vec4 filtered;
 
 // Beyond the picture's edge it is mirrored.
-float noise_at(vec2 at, int family) {
+float noise_at(ivec2 at, int family) {
   ivec2 last = textureSize(noises, 0) - 1;
-  ivec2 there = abs(ivec2(floor(at)));
-  return texelFetch(noises, clamp(last - abs(last - there), ivec2(0), last), 0)[family];
+  return texelFetch(noises, clamp(last - abs(last - abs(at)), ivec2(0), last), 0)[family];
 }
 
 vec2 turned(vec2 way, float by) { return mat2(cos(by), sin(by), -sin(by), cos(by)) * way; }
 
-// Beyond the surface the way goes straight on: a stroke ends, but the noise does not.
-float along(vec2 at, vec2 way, float by, int family) {
+// Beyond the surface the way goes straight on: a stroke ends, but the noise does not. The way is counted from the
+// pixel, so that it is rounded alike in whatever part of the picture the pixel lies.
+float along(ivec2 pixel, vec2 way, float by, int family) {
+  ivec2 last = textureSize(flows, 0) - 1;
+  vec2 gone = vec2(0.5);
   float sum = 0.0;
   for (int i = 1; i <= steps; ++i) {
-    at += step_px * way;
+    gone += step_px * way;
+    ivec2 at = pixel + ivec2(floor(gone));
     float fade = cos(0.25 * TURN * float(i) / float(steps + 1));
     sum += fade * fade * noise_at(at, family);
-    vec4 flow = texelFetch(flows, clamp(ivec2(at), ivec2(0), textureSize(flows, 0) - 1), 0);
+    vec4 flow = texelFetch(flows, clamp(at, ivec2(0), last), 0);
     vec2 next = turned(flow.xy, by);
     next = dot(next, way) < 0.0 ? -next : next;
     way = flow.z > 0.0 && dot(next, way) > 0.5 ? next : way;
@@ -41,17 +44,17 @@ float along(vec2 at, vec2 way, float by, int family) {
   return sum;
 }
 
-float curved_strokes(vec2 place, vec2 way, float by, int family) {
+float curved_strokes(ivec2 pixel, vec2 way, float by, int family) {
   vec2 first = turned(way, by);
-  float sum = noise_at(place, family) + along(place, first, by, family) + along(place, -first, by, family);
+  float sum = noise_at(pixel, family) + along(pixel, first, by, family) + along(pixel, -first, by, family);
   return sum / deviation;
 }
 
-float surface_strokes(vec2 place, vec2 way, float darkness) {
+float surface_strokes(ivec2 pixel, vec2 way, float darkness) {
   vec2 shares = shares_of(darkness, cross_from);
-  float first = inked(curved_strokes(place, way, 0.0, 0), shares.x);
+  float first = inked(curved_strokes(pixel, way, 0.0, 0), shares.x);
   if (shares.y <= 0.0) return first;
-  return both(first, inked(curved_strokes(place, way, CROSSED_BY, 1), shares.y));
+  return both(first, inked(curved_strokes(pixel, way, CROSSED_BY, 1), shares.y));
 }
 
 void main() {
@@ -63,7 +66,6 @@ void main() {
   vec4 flow = texelFetch(flows, pixel, 0);
   vec2 way = flow.z > 0.0 ? flow.xy : direction_of(angle);
   bool is_wall = side_of(pixel) == 1.0;
-  float covered =
-      is_wall ? wall_strokes(gl_FragCoord.xy, darkness) : surface_strokes(gl_FragCoord.xy, way, darkness);
+  float covered = is_wall ? wall_strokes(gl_FragCoord.xy, darkness) : surface_strokes(pixel, way, darkness);
   filtered.rgb = drawn(centre.rgb, covered);
 }
