@@ -50,7 +50,7 @@ Json summary_of(const LoadedVolume& loaded, const VolumeFacts& facts) {
 
 }  // namespace
 
-OpenedVolume::OpenedVolume(std::shared_ptr<const LoadedVolume> loaded)
+OpenedVolume::OpenedVolume(const std::shared_ptr<const LoadedVolume>& loaded)
     : OpenedVolume(loaded, loaded) {}
 
 OpenedVolume::OpenedVolume(std::shared_ptr<const LoadedVolume> loaded,

@@ -13,7 +13,7 @@ namespace cutaway {
 /// Immutable, but for what is kept of its preparations.
 class OpenedVolume final : public OpenVolume {
  public:
-  explicit OpenedVolume(std::shared_ptr<const LoadedVolume> loaded);
+  explicit OpenedVolume(const std::shared_ptr<const LoadedVolume>& loaded);
   /// `first_seen`: what preparation_of_first_look makes of it; the volume itself where that is
   /// nothing.
   OpenedVolume(std::shared_ptr<const LoadedVolume> loaded,

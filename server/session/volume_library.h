@@ -57,10 +57,7 @@ class VolumeLibrary {
                                                        std::function<void(OpenOutcome)> done) = 0;
   /// Makes the volume of a scene as the scene has it prepared, where it is in memory and has not
   /// been made: `ready` is called once frames show it so. Null where there is nothing to wait for.
-  virtual std::unique_ptr<OpenTicket> prepare(const Scene& /*scene*/,
-                                              std::function<void()> /*ready*/) {
-    return nullptr;
-  }
+  virtual std::unique_ptr<OpenTicket> prepare(const Scene& scene, std::function<void()> ready) = 0;
 };
 
 }  // namespace cutaway

@@ -99,8 +99,10 @@ void sweep_object(const std::vector<std::string>& place, const std::vector<std::
     for (const Json& value : values_of(field)) {
       const Json document = document_with(value);
       const Scene scene = look_scene(document);
-      expect_like_reference("look" + pointer + "-" + name + "-" + json_text(value), scene,
-                            looked_at_head(), settings_for(scene), look_tolerance(scene));
+      std::string title = "look" + pointer;
+      title.append("-").append(name).append("-").append(json_text(value));
+      expect_like_reference(title, scene, looked_at_head(), settings_for(scene),
+                            look_tolerance(scene));
       has_an_effect = has_an_effect || drawn(document) != plain;
     }
     EXPECT_TRUE(has_an_effect) << pointer << "/" << name;

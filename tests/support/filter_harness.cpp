@@ -19,6 +19,7 @@ namespace {
 template <typename Texel, typename Function>
 std::vector<Texel> texels_of(const BranchImage& image, Function&& function) {
   std::vector<Texel> texels;
+  texels.reserve(image.pixels.size());
   for (const BranchPixel& pixel : image.pixels) texels.push_back(function(pixel));
   return texels;
 }

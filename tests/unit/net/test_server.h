@@ -68,6 +68,10 @@ class ThreadedLibrary final : public VolumeLibrary {
                                                std::function<void(OpenOutcome)> done) override {
     return open(id, {}, std::move(done));
   }
+  std::unique_ptr<OpenTicket> prepare(const Scene& /*scene*/,
+                                      std::function<void()> /*ready*/) override {
+    return nullptr;
+  }
 };
 
 NetSettings test_settings();

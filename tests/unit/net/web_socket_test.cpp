@@ -97,7 +97,7 @@ TEST(WebSocket, MalformedJsonAndBinaryAreAnsweredAndTheSessionGoesOn) {
 TEST(WebSocket, AMessageOver64KiBIsAnsweredAndTheSessionGoesOn) {
   TestServer server;
   SocketClient client(server.port());
-  client.send_text(std::string(64 * 1024, ' '));
+  client.send_text(std::string(std::size_t{64} * 1024, ' '));
   EXPECT_EQ(client.read_until("error")["code"], "malformed-json");
   for (const std::size_t bytes : {std::size_t{65'537}, std::size_t{3'000'000}}) {
     client.send_text(std::string(bytes, ' '));
@@ -253,7 +253,7 @@ TEST(WebSocket, AClientThatNeverAcknowledgesGetsTwoFramesAndDisturbsNobody) {
 
 TEST(WebSocket, AClientThatFloodsWithoutReadingIsDroppedAndDisturbsNobody) {
   NetSettings settings = testing::test_settings();
-  settings.queued_text_bytes = 64 * 1024;
+  settings.queued_text_bytes = std::size_t{64} * 1024;
   settings.send_buffer_bytes = 16 * 1024;
   settings.write_timeout = milliseconds(300);
   SessionSettings session;
@@ -349,6 +349,7 @@ TEST(WebSocket, StoppingDoesNotWaitForThoseWhoDoNotAnswer) {
 TEST(WebSocket, ManyClientsAtOnceEachGetTheirFrames) {
   TestServer server;
   std::vector<std::jthread> threads;
+  threads.reserve(8);
   for (int c = 0; c < 8; ++c) {
     threads.emplace_back([&server] {
       SocketClient client(server.port());

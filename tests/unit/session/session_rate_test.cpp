@@ -80,7 +80,7 @@ TEST_F(LensSearchRateTest, LookingForALensCountsAsManyMessages) {
 }
 
 TEST_F(LensSearchRateTest, AskingTheSameAgainCountsAsOne) {
-  const Json open_lens = {{"lens", {{"centre_mm", nullptr}, {"radius_mm", nullptr}}}};
+  Json open_lens = {{"lens", {{"centre_mm", nullptr}, {"radius_mm", nullptr}}}};
   EXPECT_EQ(heeded(50, [&](int) { return open_lens; }), 50);
 }
 

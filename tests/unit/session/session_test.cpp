@@ -7,7 +7,6 @@
 namespace cutaway {
 namespace {
 
-using ::testing::ElementsAre;
 using SessionTest = testing::SessionFixture;
 
 TEST_F(SessionTest, BeginsWithCapabilitiesAndVolumes) {

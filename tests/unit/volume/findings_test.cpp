@@ -195,7 +195,8 @@ TEST(DistanceTo, IsTheNearestCellsDistance) {
   for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = hashed(i) > 0.93 ? 1 : 0;
   const std::vector<float> field = distance_to_mm(grid, mask, {});
   const auto place = [&](std::size_t i) {
-    return glm::dvec3(double(i % 9), double(i / 9 % 7), double(i / 63)) * grid.spacing_mm;
+    const glm::u64vec3 cell(i % 9, i / 9 % 7, i / 63);
+    return glm::dvec3(cell) * grid.spacing_mm;
   };
   for (std::size_t i = 0; i < mask.size(); ++i) {
     double nearest = 1e30;
