@@ -101,7 +101,8 @@ TEST(LensRim, OfTheDissertationsFocusHasNoLineWhereTheFocusGoesOn) {
     const RenderedRim on = render(dissertation(true, placed.centre_mm, radius_mm), head());
     const RenderedRim off = render(dissertation(false, placed.centre_mm, radius_mm), head());
     // Four pixels larger: where it holds the focus all round a pixel, the anatomy has no border.
-    const RenderedRim larger = render(dissertation(true, placed.centre_mm, radius_mm + 4.0), head());
+    const RenderedRim larger =
+        render(dissertation(true, placed.centre_mm, radius_mm + 4.0), head());
     const Lines lines = lines_of(on.picture, off.picture, on.focus, larger.focus);
     EXPECT_EQ(lines.along_rim, 0) << radius_mm;
     EXPECT_GT(lines.rim, 50) << radius_mm;
