@@ -120,13 +120,13 @@ export class Hints extends SessionElement {
       @container (max-height: 400px) {
         section {
           gap: 8px;
-          padding-top: 36px;
+          padding-top: 92px;
         }
         .style {
           display: none;
         }
       }
-      @container (max-height: 260px) or (max-width: 260px) {
+      @container (max-height: 280px) or (max-width: 260px) {
         .hint,
         .row {
           display: none;
