@@ -1,5 +1,6 @@
 #include "scene/first_look.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "scene/resolve.h"
@@ -8,9 +9,19 @@
 
 namespace cutaway {
 
+namespace {
+
+// Asked at each change of a scene, most of which say all of a look: nothing is built for it.
+bool says_a_look(const Json& document) {
+  return std::ranges::any_of(scene_fields(), [&document](const SceneField& field) {
+    return field.belongs_to == BelongsTo::look && document.contains(field.pointer);
+  });
+}
+
+}  // namespace
+
 Json with_first_look(Json document, const VolumeFacts& volume) {
-  const bool is_open = only_fields(document, BelongsTo::look).empty();
-  if (!is_open || volume.first_style.empty()) return document;
+  if (volume.first_style.empty() || says_a_look(document)) return document;
   document.merge_patch(style(volume.first_style).scene);
   return document;
 }
