@@ -126,13 +126,6 @@ BytePicture comparable(const BytePicture& actual, const BytePicture& expected,
   return result;
 }
 
-bool marches_light(const Scene& scene) {
-  return std::ranges::any_of(std::array{&scene.context, &scene.focus}, [](const Branch* branch) {
-    return branch->occlusion.strength > 0.0 || branch->shadow.strength > 0.0 ||
-           branch->normals.scale != NormalScale::fixed || branch->normals.scale_mm > 0.0;
-  });
-}
-
 }  // namespace
 
 // Measured: 1/255 at the most without such decisions, and no ray that disagrees. Kuwahara and its
@@ -140,11 +133,8 @@ bool marches_light(const Scene& scene) {
 // it, a stroke lies along a direction that nearly flat skin hardly has, and the normal of a layer
 // deep within material is that of a field that is nearly flat there: up to 43/255 at one pixel in a
 // thousand. A GPU's own filter places samples to 1/256 of a voxel, which turns more of them, and
-// pixels at a toon's step. Rays for light ask at few places whether something is in the way, and a
-// ramp's colours and a depth line may hang on one answer.
+// pixels at a toon's step.
 Tolerance tolerance_for(const Scene& scene) {
-  if (marches_light(scene))
-    return {.mean = 0.5, .share_above_2 = 0.06, .maximum = 128, .share_of_disagreements = 0.001};
   if (!GpuHarness::instance().context().is_software())
     return {.mean = 0.25, .share_above_2 = 0.005, .maximum = 128, .share_of_disagreements = 0.001};
   bool decides = scene.context.surface.opacity < 1.0 || scene.focus.surface.opacity < 1.0;
