@@ -1,6 +1,6 @@
 // Which scene a session begins with: the one it showed before, else the address', else the volume
-// best worth seeing, in the style that the server finds to suit it. That is a file's where the server has files, so it waits for their
-// scan.
+// best worth seeing, in the style that the server finds to suit it. That is a file's where the
+// server has files, so it waits for their scan.
 import type { ErrorMessage } from '../protocol/messages.ts';
 import { bestVolume } from '../state/best_volume.ts';
 import { SceneAddressError, sceneFromAddress } from '../state/scene_address.ts';
