@@ -60,7 +60,7 @@ describe('bands and tones', { skip }, () => {
 
   it('shows the ramp of both tones, and the detail at the first level', async () => {
     await viewer.openTab('Styles');
-    await viewer.after(() => viewer.page.locator('[data-style=toon]').click());
+    await viewer.after(() => viewer.page.locator('[data-style=gooch]').click());
     await viewer.openTab('Adjust');
     const ramp = viewer.page.locator('cutaway-tone-ramp .ramp').first();
     const background = () => ramp.evaluate((element) => element.style.background);

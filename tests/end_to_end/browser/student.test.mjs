@@ -7,7 +7,7 @@ import { DESKTOP, skip } from './support/browser.mjs';
 import { isStandIn } from './support/server.mjs';
 import { Slices } from './support/slices.mjs';
 import { served } from './support/suite.mjs';
-import { meanDifference, Viewer } from './support/viewer.mjs';
+import { Viewer } from './support/viewer.mjs';
 
 /** What contrast medium in the phantom's vessels measures, at least and at most. */
 const VESSEL_HU = [250, 450];
@@ -46,11 +46,9 @@ describe('a student’s day', { skip: skip || (isStandIn && 'draws no volume') }
     await page.locator('[data-part=toast]').waitFor();
     const link = await page.evaluate(() => navigator.clipboard.readText());
     await viewer.settled();
-    const picture = await viewer.pixels();
     const friend = await Viewer.open(suite.browser, link, DESKTOP);
     await friend.settled();
-    const off = meanDifference(picture, await friend.pixels());
-    assert.ok(off < 0.5, `the pictures differ by ${off} of 255`);
+    await viewer.looksLike(friend, 0.5);
     await friend.close();
     await viewer.close();
   });

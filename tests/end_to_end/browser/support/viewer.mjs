@@ -177,6 +177,15 @@ export class Viewer {
     return this.page.evaluate(decodePixels, png.toString('base64'));
   }
 
+  /** Both at rest: full light comes a moment after the still, to each in its own time. */
+  async looksLike(other, most) {
+    const deadline = Date.now() + LIMIT_MS;
+    let off = Infinity;
+    while (off >= most && Date.now() < deadline)
+      off = meanDifference(await this.pixels(), await other.pixels());
+    assert.ok(off < most, `the pictures differ by ${off} of 255`);
+  }
+
   /** Share of the picture that is not background. */
   async coverage() {
     const { data, width, height } = await this.pixels();
