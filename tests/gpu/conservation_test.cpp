@@ -12,6 +12,8 @@ namespace cutaway::test {
 namespace {
 
 constexpr int kSide = 320;  ///< 102400 rays
+
+glm::ivec2 pixel_of(int ray) { return {ray % kSide, ray / kSide}; }
 constexpr double kContextOpacity = 0.006;
 constexpr double kFocusOpacity = 0.02;
 
@@ -79,8 +81,7 @@ TEST_F(Conservation, EachRayIsAsLongAsItsWayThroughTheGrid) {
   const auto layers = FramePipeline::read_layers(gpu.view(), kContext);
   int met = 0;
   for (int i = 0; i < kSide * kSide; ++i) {
-    const ViewRay ray =
-        ray_through(shown.camera, shown.viewport, {i % kSide + 0.5, i / kSide + 0.5});
+    const ViewRay ray = ray_through(shown.camera, shown.viewport, glm::dvec2(pixel_of(i)) + 0.5);
     const double length_mm = in_box(ray, volume_->volume.geometry).length_mm();
     ASSERT_NEAR(opacity(layers, i), 1.0 - std::pow(1.0 - kContextOpacity, length_mm), 1e-5) << i;
     met += length_mm > 0.0 ? 1 : 0;
@@ -96,8 +97,7 @@ TEST_F(Conservation, BothBranchesAndTheTransmittanceAddUpToOne) {
   const auto focus = FramePipeline::read_layers(gpu.view(), kFocus);
   int both = 0;
   for (int i = 0; i < kSide * kSide; ++i) {
-    const ViewRay ray =
-        ray_through(shown.camera, shown.viewport, {i % kSide + 0.5, i / kSide + 0.5});
+    const ViewRay ray = ray_through(shown.camera, shown.viewport, glm::dvec2(pixel_of(i)) + 0.5);
     // The chord of a ray that grazes the lens is that of a rounded radius.
     const double beside_mm = distance_from_ray_mm(ray, shown.lens.centre_mm);
     if (std::abs(beside_mm - shown.lens.radius_mm) < 0.5) continue;

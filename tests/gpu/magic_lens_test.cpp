@@ -146,7 +146,7 @@ TEST(MagicLens, BehindTheEyeOrOfNoSizeDoesNothing) {
 }
 
 TEST(MagicLens, ItsSlidersCastNoRay) {
-  const auto volume = magic_shells();
+  const auto& volume = magic_shells();
   GpuHarness& gpu = GpuHarness::instance();
   GpuVolume gpu_volume(volume, 2048);
   ViewState view;

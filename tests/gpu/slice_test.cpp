@@ -106,8 +106,10 @@ TEST(Slice, LeftIsAtTheRightForRadiologistsAndAtTheLeftForNeurologists) {
   for (const char* convention : {"radiological", "neurological"}) {
     const Scene scene = slice_scene(volume, ViewKind::axial, {{"convention", convention}});
     const BytePicture picture = GpuHarness::instance().render(scene, volume, settings_for(scene));
-    const std::size_t row = 4UL * 45 * 120;
-    const bool brighter_right = picture.rgba[row + 4 * 85] > picture.rgba[row + 4 * 35];
+    const auto red_at = [&](std::size_t x) {
+      return picture.rgba[std::size_t{4} * (std::size_t{45} * 120 + x)];
+    };
+    const bool brighter_right = red_at(85) > red_at(35);
     EXPECT_EQ(brighter_right, std::string(convention) == "radiological");
   }
 }
@@ -117,7 +119,7 @@ TEST(Slice, BesideTheVolumeThePictureIsBlack) {
   const Scene scene = slice_scene(volume, ViewKind::coronal);
   const BytePicture picture = GpuHarness::instance().render(scene, volume, settings_for(scene));
   EXPECT_EQ(picture.rgba[0], 0);
-  EXPECT_EQ(picture.rgba[4 * (45 * 120 + 60)], 255);
+  EXPECT_EQ(picture.rgba[std::size_t{4} * (45 * 120 + 60)], 255);
 }
 
 TEST(Slice, CostsNoRayAndIsDrawnOnce) {

@@ -13,7 +13,6 @@ namespace cutaway::test {
 namespace {
 
 using reference::BranchImage;
-using reference::BranchPixel;
 
 TEST(Sobel, RespondsWithTheKnownNumbers) {
   // Unit norm and a small step keep below the clamp: a step of 0.1 along an axis gives 4 * 0.1 / 4.

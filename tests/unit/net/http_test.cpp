@@ -206,6 +206,7 @@ TEST(Http, ASilentOrSlowConnectionIsClosed) {
 TEST(Http, FiftySilentConnectionsDisturbNobody) {
   TestServer server;
   std::vector<std::unique_ptr<RawClient>> silent;
+  silent.reserve(50);
   for (int i = 0; i < 50; ++i) silent.push_back(std::make_unique<RawClient>(server.port()));
   EXPECT_EQ(fetch(server.port(), "/healthz").result_int(), 200);
 }

@@ -106,6 +106,7 @@ TEST(Seats, AServerThatStopsWaitsForNobodyWhomItTurnedAway) {
   const auto seated = client_from(server, kHog);
   seated->read_until("capabilities");
   std::vector<std::unique_ptr<SocketClient>> turned_away;
+  turned_away.reserve(20);
   for (int i = 0; i < 20; ++i) turned_away.push_back(client_from(server, kHog));
   for (const auto& each : turned_away) each->read_until("error");  // and answer no goodbye
   server.stop();

@@ -150,7 +150,7 @@ NetSettings test_settings() {
   return settings;
 }
 
-TestServer::TestServer(NetSettings settings, SessionSettings session)
+TestServer::TestServer(const NetSettings& settings, SessionSettings session)
     : server_(settings, hooks(session)),
       port_(port_of(server_.url())),
       thread_([this] { server_.run(); }) {}

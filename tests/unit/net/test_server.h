@@ -78,7 +78,7 @@ NetSettings test_settings();
 
 class TestServer {
  public:
-  explicit TestServer(NetSettings settings = test_settings(), SessionSettings session = {});
+  explicit TestServer(const NetSettings& settings = test_settings(), SessionSettings session = {});
   ~TestServer();
   TestServer(const TestServer&) = delete;
   TestServer& operator=(const TestServer&) = delete;

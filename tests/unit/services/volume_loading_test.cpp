@@ -30,7 +30,7 @@ class SlowRenderer {
   void upload(const ProgressSink& progress, std::stop_token stop) {
     progress(LoadStage::upload, 0.25);
     std::unique_lock lock(mutex_);
-    if (!changed_.wait(lock, stop, [this] { return ended_; })) throw Cancelled();
+    if (!changed_.wait(lock, std::move(stop), [this] { return ended_; })) throw Cancelled();
     progress(LoadStage::upload, 1.0);
   }
 
@@ -43,6 +43,7 @@ TEST(VolumeLoading, OneLoadServesAllWhoWait) {
   VolumeService service{VolumeSettings{.load_threads = 4}, no_renderer()};
   std::array<Heard, 4> heard;
   std::vector<std::unique_ptr<OpenTicket>> tickets;
+  tickets.reserve(heard.size());
   for (Heard& each : heard) {
     tickets.push_back(service.open("phantom:head@64", each.progress(), each.done()));
   }

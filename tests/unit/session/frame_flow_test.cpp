@@ -24,7 +24,7 @@ class FrameFlowTest : public ::testing::Test {
     flow->show({scene, revision, {revision * 10, revision * 1.5}});
   }
   FrameRequest finish(std::uint32_t render_us = 5000) {
-    const FrameRequest request = frames.finish(render_us);
+    FrameRequest request = frames.finish(render_us);
     strand->run();
     return request;
   }
