@@ -118,18 +118,19 @@ double rings(const Json& normals) {
         const double inside = (kLarge_mm - glm::length(at_mm)) / (blur_mm * std::sqrt(2.0));
         return kContrast * 0.5 * (1.0 + std::erf(inside));
       }));
-  Scene scene = scene_for({{"camera",
-                            {{"projection", "orthographic"},
-                             {"eye_mm", {210, -570, 135}},
-                             {"target_mm", {0, 0, 0}},
-                             {"up", {0, 0, 1}},
-                             {"view_height_mm", 230}}},
-                           {"context",
-                            {{"surface", {{"iso_value", kContrast / 2.0}}},
-                             {"normals", normals},
-                             {"filters", Json::array()}}},
-                           {"lens", {{"mode", "none"}, {"centre_mm", {0, 0, 0}}, {"radius_mm", 1}}}},
-                          volume, kBallViewport);
+  Scene scene =
+      scene_for({{"camera",
+                  {{"projection", "orthographic"},
+                   {"eye_mm", {210, -570, 135}},
+                   {"target_mm", {0, 0, 0}},
+                   {"up", {0, 0, 1}},
+                   {"view_height_mm", 230}}},
+                 {"context",
+                  {{"surface", {{"iso_value", kContrast / 2.0}}},
+                   {"normals", normals},
+                   {"filters", Json::array()}}},
+                 {"lens", {{"mode", "none"}, {"centre_mm", {0, 0, 0}}, {"radius_mm", 1}}}},
+                volume, kBallViewport);
   GpuHarness& gpu = GpuHarness::instance();
   gpu.render(scene, volume, settings_for(scene));
   const auto surface = normals.empty() ? FramePipeline::read_surface(gpu.view(), kContext)
@@ -140,8 +141,7 @@ double rings(const Json& normals) {
     if (surface[i].w < 0.0F) continue;
     const glm::dvec2 pixel(i % kBallViewport.width_px, i / kBallViewport.width_px);
     const ViewRay ray = ray_through(scene.camera, scene.viewport, pixel + 0.5);
-    const glm::dvec3 outward =
-        glm::normalize(ray.origin_mm + double(surface[i].w) * ray.direction);
+    const glm::dvec3 outward = glm::normalize(ray.origin_mm + double(surface[i].w) * ray.direction);
     if (glm::dot(outward, ray.direction) > -0.25) continue;  // grazes
     const glm::dvec3 normal = glm::normalize(glm::dvec3(surface[i]));
     apart.push_back(255.0 * 0.5 * (glm::dot(normal, to_light) - glm::dot(outward, to_light)));
